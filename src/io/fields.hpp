@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "io/input_error.hpp"
+
+namespace vortree::io {
+
+/// Velocity and vorticity on a grid, for pictures. x and y are the axes; u, v, omega are row-major
+/// [y.size()][x.size()].
+struct Field {
+  double time = 0;
+  std::vector<double> x, y, u, v, omega;
+  bool operator==(const Field&) const = default;
+};
+
+/// Writes the group `field_<time>` of DIR/fields.h5 (created if need be; a field of the same time
+/// is replaced).
+///
+/// throws  std::invalid_argument if the sizes do not fit together, std::runtime_error if it cannot
+///         be written
+void append_field(const std::filesystem::path& dir, const Field&);
+
+/// Times of the fields in DIR/fields.h5, ascending; empty if there is no such file.
+[[nodiscard]] std::vector<double> field_times(const std::filesystem::path& dir);
+
+[[nodiscard]] Field read_field(const std::filesystem::path& dir, double time);
+
+/// Drops the fields later than `time` (a resumed run will make them again).
+void rewind_fields(const std::filesystem::path& dir, double time);
+
+}  // namespace vortree::io

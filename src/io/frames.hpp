@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/input_error.hpp"
+
+namespace vortree::io {
+
+/// One saved moment of a run. x, y, gamma, sigma, u, v have one length.
+/// state: everything else that the solver needs to go on bit for bit, by name.
+struct Frame {
+  std::int64_t step = 0;
+  double time = 0;
+  std::vector<double> x, y, gamma, sigma, u, v;
+  std::map<std::string, std::vector<double>> state;
+  bool operator==(const Frame&) const = default;
+};
+
+/// What a frames file says of its run, as attributes on its root.
+struct RunInfo {
+  std::string version;                 ///< of the program
+  std::string scene_path;              ///< as the user gave it
+  std::string scene;                   ///< text of the scene file, to the letter
+  std::string resolved;                ///< the scene with every default written out
+  std::vector<std::string> overrides;  ///< of the command line
+  std::int64_t seed = 1;
+  std::string units;
+  bool operator==(const RunInfo&) const = default;
+};
+
+/// Starts DIR/frames.h5 (and DIR/frames.xdmf) with no frames; replaces older ones. DIR is created
+/// if need be.
+///
+/// Layout: a group `frame_000025` (step number) for each frame with datasets x y gamma sigma u v,
+/// attributes step, time, checksum and a subgroup `state`. What the root needs lies at the
+/// beginning of the file, each frame in one piece behind the frame before it: a file cut anywhere
+/// keeps the frames that lie before the cut (the first 4096 of them).
+///
+/// throws  InputError if DIR cannot be created or written
+void create_frames(const std::filesystem::path& dir, const RunInfo&);
+
+/// Appends a frame to DIR/frames.h5 and rewrites DIR/frames.xdmf. The file is opened and closed
+/// each time, and the frame is linked into it only when it is on the disk: a kill loses at most
+/// this frame.
+///
+/// throws  std::invalid_argument if the columns differ in length or the file has that step already,
+///         std::runtime_error if it cannot be written
+void append_frame(const std::filesystem::path& dir, const Frame&);
+
+/// What a frames file, healthy or not, still holds.
+struct RecoveredFrames {
+  RunInfo info;
+  std::vector<std::int64_t> steps;  ///< of the frames found good, ascending
+  std::optional<Frame> last;        ///< the last good one; none if nothing is left
+  std::string warning;              ///< one sentence on what was lost; empty if the file is healthy
+};
+
+/// Reads the last good frame of a frames file, even if the file is cut short or frames of it are
+/// damaged (checksum).
+///
+/// The file itself is not touched; a cut file is read from a temporary copy beside it, or in the
+/// temporary folder of the system.
+///
+/// throws  InputError if there is no such file, or if it never was a frames file; damage is not an
+///         error: `warning` tells it and `last` may be empty
+[[nodiscard]] RecoveredFrames read_last_good(const std::filesystem::path& file);
+
+/// Makes DIR/frames.h5 healthy again and ready to continue behind `step`: keeps the good frames up
+/// to and including it, drops the rest. The new file takes the place of the old one in one rename.
+/// frames.xdmf follows.
+///
+/// throws  std::invalid_argument if there is no good frame `step`
+void rewind_frames(const std::filesystem::path& dir, std::int64_t step);
+
+}  // namespace vortree::io

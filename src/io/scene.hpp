@@ -1,0 +1,188 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/input_error.hpp"
+
+namespace vortree::io {
+
+using Vec2 = std::array<double, 2>;
+
+enum class Shape { circle };
+enum class InitialKind { lamb_oseen };
+enum class TimeScheme { rk2, rk4 };
+enum class VelocityMethod { boxes, direct };
+enum class TreeBuilder { reverse, forward };
+enum class PairCores { mean, source };
+enum class ExactAnswer { lamb_oseen };
+
+/// Kinematic viscosity nu >= 0 [L^2/T] and the free stream [L/T].
+struct SceneFlow {
+  double nu = 0;
+  Vec2 stream{0, 0};
+  bool operator==(const SceneFlow&) const = default;
+};
+
+/// A fixed body with `panels` wall elements; the scene has none in free space.
+struct SceneBody {
+  Shape shape = Shape::circle;
+  double radius = 0.5;
+  Vec2 centre{0, 0};
+  int panels = 520;
+  bool operator==(const SceneBody&) const = default;
+};
+
+/// sigma_0: core of a blob released at the wall, or of an initial blob. A blob wider than sigma_max
+/// splits.
+struct SceneCores {
+  double sigma_0 = 0;
+  double sigma_max = 0;
+  bool operator==(const SceneCores&) const = default;
+};
+
+/// A child has core alpha sigma; `children` of them stand on a ring.
+struct SceneSplitting {
+  double alpha = 0.7;
+  int children = 4;
+  bool operator==(const SceneSplitting&) const = default;
+};
+
+/// tolerance 0: blobs never merge. reach is in cores; merged sigma^2 <= cap sigma_max^2.
+struct SceneMerging {
+  double tolerance = 0.02;
+  double reach = 2;
+  double cap = 1.1;
+  bool operator==(const SceneMerging&) const = default;
+};
+
+/// The vorticity at t = 0: a Lamb-Oseen vortex of core `core` > sigma_0, cut into blobs `spacing`
+/// sigma_0 apart.
+struct SceneInitial {
+  InitialKind kind = InitialKind::lamb_oseen;
+  double circulation = 1;
+  double core = 0;
+  double spacing = 1;
+  Vec2 centre{0, 0};
+  bool operator==(const SceneInitial&) const = default;
+};
+
+struct SceneTime {
+  double dt = 0;
+  double end = 0;
+  TimeScheme scheme = TimeScheme::rk2;
+  bool operator==(const SceneTime&) const = default;
+};
+
+/// order 0: from the tolerance. capacity 0: chosen by the evaluator.
+struct SceneVelocity {
+  VelocityMethod method = VelocityMethod::boxes;
+  double tolerance = 1e-6;
+  int order = 0;
+  int capacity = 0;
+  int finest_level = 31;
+  TreeBuilder builder = TreeBuilder::reverse;
+  PairCores cores = PairCores::mean;
+  bool operator==(const SceneVelocity&) const = default;
+};
+
+/// frames   time between two saved frames; a loaded scene always has it (default: end/14, or dt)
+/// fields   times of the pictures, drawn on `window` = [x0, y0, x1, y1] every `field_spacing`;
+///          given together or not at all
+struct SceneOutput {
+  double frames = 0;
+  std::vector<double> fields{};
+  std::array<double, 4> window{0, 0, 0, 0};
+  double field_spacing = 0;
+  bool operator==(const SceneOutput&) const = default;
+};
+
+/// What `vortree check` and the tests hold a finished run against; only what is set is checked.
+///
+/// *_max, *_rms   largest and root-mean-square deviation allowed. Relative for drag, vorticity,
+///                velocity, moments, wall vorticity and routes (one drag route against the other);
+///                bubble_max in units of D; lift_max is a coefficient, blobs_max a count
+/// *_from         only for T >= this
+/// *_reference    files as written, relative to the folder of the scene: see reference_path
+struct SceneCheck {
+  std::optional<std::string> drag_reference{};
+  std::optional<double> drag_max{}, drag_rms{}, drag_from{};
+  std::optional<std::string> wall_vorticity_reference{};
+  std::optional<double> wall_vorticity_max{}, wall_vorticity_rms{}, wall_vorticity_from{};
+  std::optional<double> bubble_max{}, bubble_from{};
+  std::optional<double> separation_max_deg{}, separation_from{};
+  std::optional<double> lift_max{};
+  std::optional<double> routes_max{}, routes_from{};
+  std::optional<ExactAnswer> exact{};
+  std::optional<double> vorticity_max{}, velocity_max{}, second_moment_max{};
+  std::optional<double> circulation_max{}, impulse_max{};
+  std::optional<double> blobs_max{};
+  bool operator==(const SceneCheck&) const = default;
+};
+
+/// Where a scene came from, to the letter: enough to load it again.
+struct SceneOrigin {
+  std::filesystem::path path{};
+  std::string text{};
+  std::vector<std::string> overrides{};
+};
+
+/// One run, fully described. Every key of the TOML file is the member of the same name.
+struct Scene {
+  std::string title{};
+  std::int64_t seed = 1;
+  SceneFlow flow{};
+  std::optional<SceneBody> body{};
+  SceneCores cores{};
+  SceneSplitting splitting{};
+  SceneMerging merging{};
+  std::optional<SceneInitial> initial{};
+  SceneTime time{};
+  SceneVelocity velocity{};
+  SceneOutput output{};
+  SceneCheck check{};
+  SceneOrigin origin{};
+};
+
+/// The same run: every key agrees; where the scenes were written does not count.
+bool operator==(const Scene&, const Scene&);
+
+/// Reads and validates a scene.
+///
+/// path       a TOML file
+/// overrides  `table.key=value` (or `key=value` at top level); value in TOML, bare words are
+/// strings; later ones win.
+///            A table that the file lacks is created.
+/// throws     InputError, one line: `file:line: ...` or `command line: key=value: ...`; unknown
+/// tables and keys are errors,
+///            so are NaN and infinity and a reference file that is not there
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path,
+                               std::span<const std::string> overrides = {});
+
+/// The same for a text that is already in memory; `path` names it in errors and is the base of its
+/// reference files.
+[[nodiscard]] Scene parse_scene(std::string_view text, const std::filesystem::path& path,
+                                std::span<const std::string> overrides = {});
+
+/// The scene as TOML with every default written out; parse_scene(resolved(s), s.origin.path) == s.
+[[nodiscard]] std::string resolved(const Scene&);
+
+/// Where a reference file of [check] lies: relative to the folder of the scene file.
+[[nodiscard]] std::filesystem::path reference_path(const Scene&, std::string_view written);
+
+/// The words of the TOML file: "rk2", "boxes", "reverse", ...
+[[nodiscard]] std::string_view word(Shape);
+[[nodiscard]] std::string_view word(InitialKind);
+[[nodiscard]] std::string_view word(TimeScheme);
+[[nodiscard]] std::string_view word(VelocityMethod);
+[[nodiscard]] std::string_view word(TreeBuilder);
+[[nodiscard]] std::string_view word(PairCores);
+[[nodiscard]] std::string_view word(ExactAnswer);
+
+}  // namespace vortree::io
