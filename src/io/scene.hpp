@@ -93,13 +93,13 @@ struct SceneVelocity {
 };
 
 /// frames   time between two saved frames; a loaded scene always has it (default: end/14, or dt)
-/// fields   times of the pictures, drawn on `window` = [x0, y0, x1, y1] every `field_spacing`;
-///          given together or not at all
+/// fields   times of the pictures, drawn on `window` = [x0, y0, x1, y1] every `field_spacing`; a
+///          loaded scene that has fields has both
 struct SceneOutput {
   double frames = 0;
   std::vector<double> fields{};
-  std::array<double, 4> window{0, 0, 0, 0};
-  double field_spacing = 0;
+  std::optional<std::array<double, 4>> window{};
+  std::optional<double> field_spacing{};
   bool operator==(const SceneOutput&) const = default;
 };
 
