@@ -1,0 +1,21 @@
+#pragma once
+
+#include "tree/quadtree.hpp"
+#include "tree/split_rule.hpp"
+
+namespace vortree::tree {
+
+/// Builds a tree from root to leaf: level by level, every cell that must split is cut into its
+/// occupied children by binary search of their ends in the sorted codes.
+///
+///   child q of (key, l) holds the codes in [(4 key + q) 4^(31-l-1), (4 key + q + 1) 4^(31-l-1)), q
+///   = 0..3
+///
+/// A block at level order.finest never splits. Equal to build_reverse for every monotone rule.
+///
+/// cost    one question to the rule and O(log n) for each cell
+/// throws  std::invalid_argument if the rule is empty or keys and index of the order differ in size
+/// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), steps 1-3
+[[nodiscard]] Quadtree build_forward(MortonOrder order, const SplitRule& must_split);
+
+}  // namespace vortree::tree

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tree/morton.hpp"
+#include "tree/points.hpp"
+
+namespace vortree::tree {
+
+/// Points put in Morton order.
+///
+/// keys    n level-31 codes, ascending; the bits below level `finest` are zero
+/// index   n input positions: keys[j] belongs to point index[j]; equal keys keep their input order
+struct MortonOrder {
+  Domain domain;
+  int finest = max_level;
+  std::vector<Key> keys;
+  std::vector<std::uint32_t> index;
+  bool operator==(const MortonOrder&) const = default;
+};
+
+/// Finds the cell of level `finest` of every point and sorts the points by its Morton code.
+///
+///   ix = min(floor((x - x0) 2^31 / side), 2^31 - 1), then its last 31 - finest bits cleared; iy
+///   likewise
+///
+/// The upper and right edges of the domain belong to the last cells. Monotone in x and in y; a
+/// point lies in the closed square of its cell but for rounding, at most 2^-20 of a cell of level
+/// 31 (and half the spacing of doubles where that is wider).
+///
+/// cost    O(n): one encoding pass and at most eight passes of radix sort; 24 bytes a point at the
+/// peak throws  std::invalid_argument if the sizes of x and y differ, if there are 2^32 - 1 points
+/// or more,
+///         if finest is not in 0..31, if the domain is not a finite square with side >= 2^-900, or
+///         naming the first point (and its index) that is outside the domain or not finite
+/// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), steps 4-5
+[[nodiscard]] MortonOrder morton_order(Points points, const Domain& domain, int finest = max_level);
+
+/// Sorts keys ascending and carries the indices along; stable.
+///
+/// cost    O(n) for each byte in which any two keys differ, least significant byte first; 12 bytes
+/// an element throws  std::invalid_argument if the sizes differ
+void radix_sort(std::vector<Key>& keys, std::vector<std::uint32_t>& index);
+
+}  // namespace vortree::tree
