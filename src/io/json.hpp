@@ -41,6 +41,13 @@ class Json {
   /// throws  std::logic_error on a value that is no object
   Json& operator[](std::string_view name);
 
+  /// Calls `write` with the value itself: std::monostate, bool, a number, a text, Elements,
+  /// Members.
+  template <class Write>
+  void visit(Write&& write) const {
+    std::visit(write, value_);
+  }
+
   [[nodiscard]] std::string line() const;  ///< on one line, no line end
   [[nodiscard]] std::string page() const;  ///< indented, ends with a line end
 

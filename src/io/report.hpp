@@ -32,25 +32,11 @@ class Report {
  private:
   struct Continue {};
   Report(Continue, std::filesystem::path, std::vector<std::string> columns);
+  void open();
 
   std::filesystem::path path_;
   std::vector<std::string> columns_;
   std::ofstream out_;
 };
-
-/// A CSV of numbers: the header, then rows. Lines beginning with # and empty lines are skipped; an
-/// empty cell is NaN.
-struct Table {
-  std::vector<std::string> columns;
-  std::vector<std::vector<double>> rows;
-
-  /// One column by name. throws InputError naming the file and the columns there are.
-  [[nodiscard]] std::vector<double> column(const std::string& name) const;
-  std::filesystem::path path;
-};
-
-/// throws  InputError: no such file, no header, `file:line: ...` for a row with too few or too many
-///         cells or a cell that is no number
-[[nodiscard]] Table read_table(const std::filesystem::path&);
 
 }  // namespace vortree::io

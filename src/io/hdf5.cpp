@@ -1,0 +1,191 @@
+#include "io/hdf5.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+
+namespace vortree::io::h5 {
+namespace {
+
+// HDF5 keeps the switch for each thread, so it is thrown with every file, not once.
+void silence() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+void write_values(hid_t place, const std::string& name, hid_t type, const void* values,
+                  std::span<const hsize_t> shape) {
+  const Handle space = own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                           "a data space could not be made");
+  const Handle set = own(
+      H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), name);
+  check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+}
+
+template <class T>
+void write_line(hid_t place, const std::string& name, hid_t type, std::span<const T> values) {
+  const std::array<hsize_t, 1> shape{values.size()};
+  write_values(place, name, type, values.data(), shape);
+}
+
+void write_scalar(hid_t object, const std::string& name, hid_t type, const void* value) {
+  if (has_attribute(object, name)) check(H5Adelete(object, name.c_str()), name);
+  const Handle space = own(H5Screate(H5S_SCALAR), name);
+  const Handle attribute =
+      own(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), name);
+  check(H5Awrite(attribute, type, value), name);
+}
+
+Handle open_scalar(hid_t object, const std::string& name) {
+  Handle attribute = own(H5Aopen(object, name.c_str(), H5P_DEFAULT), name);
+  const Handle space = own(H5Aget_space(attribute), name);
+  if (H5Sget_simple_extent_npoints(space) != 1) throw Failure(name + " is not one value");
+  return attribute;
+}
+
+template <class T>
+T read_number(hid_t object, const std::string& name, hid_t type) {
+  const Handle attribute = open_scalar(object, name);
+  T value{};
+  check(H5Aread(attribute, type, &value), name);
+  return value;
+}
+
+}  // namespace
+
+Handle own(hid_t id, std::string_view what) {
+  if (id < 0) throw Failure(std::string(what));
+  return Handle(id);
+}
+
+void check(herr_t status, std::string_view what) {
+  if (status < 0) throw Failure(std::string(what));
+}
+
+bool is_hdf5(const std::filesystem::path& path) {
+  silence();
+  return H5Fis_hdf5(path.c_str()) > 0;
+}
+
+Handle open_file(const std::filesystem::path& path, unsigned flags) {
+  silence();
+  return own(H5Fopen(path.c_str(), flags, H5P_DEFAULT), path.string() + " cannot be opened");
+}
+
+Handle create_file(const std::filesystem::path& path, hid_t creation) {
+  silence();
+  return own(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT),
+             path.string() + " cannot be created");
+}
+
+void close_file(Handle file, const std::filesystem::path& path) {
+  const bool flushed = H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
+  if (!file.close() || !flushed) throw Failure(path.string() + " cannot be written to the end");
+  const int descriptor = ::open(path.c_str(), O_RDONLY);
+  const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!synced) throw Failure(path.string() + " cannot be forced to the disk");
+}
+
+bool has(hid_t place, const std::string& name) {
+  return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+bool has_attribute(hid_t object, const std::string& name) {
+  return H5Aexists(object, name.c_str()) > 0;
+}
+
+std::vector<std::string> names(hid_t group) {
+  H5G_info_t info{};
+  check(H5Gget_info(group, &info), "the list of names cannot be read");
+  std::vector<std::string> found;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    const auto name_of = [&](char* text, std::size_t room) {
+      return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, room, H5P_DEFAULT);
+    };
+    const ssize_t length = name_of(nullptr, 0);
+    if (length <= 0) continue;
+    std::string name(static_cast<std::size_t>(length) + 1, '\0');
+    if (name_of(name.data(), name.size()) != length) continue;
+    name.pop_back();
+    found.push_back(std::move(name));
+  }
+  return found;
+}
+
+void write(hid_t place, const std::string& name, std::span<const double> values) {
+  write_line(place, name, H5T_NATIVE_DOUBLE, values);
+}
+
+void write(hid_t place, const std::string& name, std::span<const std::int64_t> values) {
+  write_line(place, name, H5T_NATIVE_INT64, values);
+}
+
+void write(hid_t place, const std::string& name, std::span<const std::int32_t> values) {
+  write_line(place, name, H5T_NATIVE_INT32, values);
+}
+
+void write_grid(hid_t place, const std::string& name, std::span<const double> values, hsize_t rows,
+                hsize_t columns) {
+  const std::array<hsize_t, 2> shape{rows, columns};
+  write_values(place, name, H5T_NATIVE_DOUBLE, values.data(), shape);
+}
+
+std::vector<double> read(hid_t place, const std::string& name, std::size_t most) {
+  const Handle set = own(H5Dopen2(place, name.c_str(), H5P_DEFAULT), name);
+  const Handle space = own(H5Dget_space(set), name);
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  if (count < 0 || static_cast<std::size_t>(count) > most) {
+    throw Failure(fmt::format("{} claims to hold {} numbers", name, count));
+  }
+  std::vector<double> values(static_cast<std::size_t>(count));
+  check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  return values;
+}
+
+void write_attribute(hid_t object, const std::string& name, double value) {
+  write_scalar(object, name, H5T_NATIVE_DOUBLE, &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, std::int64_t value) {
+  write_scalar(object, name, H5T_NATIVE_INT64, &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, std::uint64_t value) {
+  write_scalar(object, name, H5T_NATIVE_UINT64, &value);
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& value) {
+  // Fixed length with the closing zero, so that an empty text has a size too.
+  const Handle type = own(H5Tcopy(H5T_C_S1), name);
+  check(H5Tset_size(type, value.size() + 1), name);
+  check(H5Tset_cset(type, H5T_CSET_UTF8), name);
+  write_scalar(object, name, type, value.c_str());
+}
+
+double read_double(hid_t object, const std::string& name) {
+  return read_number<double>(object, name, H5T_NATIVE_DOUBLE);
+}
+
+std::int64_t read_integer(hid_t object, const std::string& name) {
+  return read_number<std::int64_t>(object, name, H5T_NATIVE_INT64);
+}
+
+std::uint64_t read_unsigned(hid_t object, const std::string& name) {
+  return read_number<std::uint64_t>(object, name, H5T_NATIVE_UINT64);
+}
+
+std::string read_string(hid_t object, const std::string& name) {
+  const Handle attribute = open_scalar(object, name);
+  const Handle type = own(H5Aget_type(attribute), name);
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) {
+    throw Failure(name + " is not a text of fixed length");
+  }
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(attribute, type, text.data()), name);
+  text.resize(std::char_traits<char>::length(text.c_str()));
+  return text;
+}
+
+}  // namespace vortree::io::h5

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+// Small owning handles over the HDF5 C API, and the few reads and writes that this program needs.
+// HDF5's own printing of its error stack is switched off; a failed call throws h5::Failure, which
+// the callers turn into a sentence about their file.
+
+namespace vortree::io::h5 {
+
+class Failure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Owns one identifier of any kind (file, group, dataset, space, type, attribute, property list).
+class Handle {
+ public:
+  Handle() = default;
+  explicit Handle(hid_t id) : id_(id) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, H5I_INVALID_HID)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~Handle() { close(); }
+
+  operator hid_t() const { return id_; }
+
+  /// Gives the identifier back; false if HDF5 could not (a file that cannot be flushed).
+  bool close() {
+    const hid_t id = std::exchange(id_, H5I_INVALID_HID);
+    return id < 0 || H5Idec_ref(id) >= 0;
+  }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+};
+
+/// Takes what an HDF5 call returned. throws Failure(what) if the call failed.
+[[nodiscard]] Handle own(hid_t id, std::string_view what);
+
+/// throws Failure(what) if the call failed
+void check(herr_t status, std::string_view what);
+
+[[nodiscard]] bool is_hdf5(const std::filesystem::path&);
+
+/// Opens a file. throws Failure if it is not HDF5 or cannot be opened.
+[[nodiscard]] Handle open_file(const std::filesystem::path&, unsigned flags = H5F_ACC_RDONLY);
+
+/// A new file; an older one is emptied.
+[[nodiscard]] Handle create_file(const std::filesystem::path&, hid_t creation = H5P_DEFAULT);
+
+/// Flushes, closes and forces to the disk. throws Failure: what was written is not safe.
+void close_file(Handle, const std::filesystem::path&);
+
+[[nodiscard]] bool has(hid_t place, const std::string& name);
+[[nodiscard]] bool has_attribute(hid_t object, const std::string& name);
+
+/// Names of the links in a group, in the order HDF5 keeps them; unreadable ones are left out.
+[[nodiscard]] std::vector<std::string> names(hid_t group);
+
+void write(hid_t place, const std::string& name, std::span<const double>);
+void write(hid_t place, const std::string& name, std::span<const std::int64_t>);
+void write(hid_t place, const std::string& name, std::span<const std::int32_t>);
+/// Row-major [rows][columns].
+void write_grid(hid_t place, const std::string& name, std::span<const double>, hsize_t rows,
+                hsize_t columns);
+
+/// A dataset of numbers, any shape, as doubles. throws Failure, also if it claims to be larger than
+/// `most` numbers (a damaged length must not ask for the whole memory).
+[[nodiscard]] std::vector<double> read(hid_t place, const std::string& name,
+                                       std::size_t most = SIZE_MAX);
+
+void write_attribute(hid_t object, const std::string& name, double);
+void write_attribute(hid_t object, const std::string& name, std::int64_t);
+void write_attribute(hid_t object, const std::string& name, std::uint64_t);
+void write_attribute(hid_t object, const std::string& name, const std::string&);
+
+[[nodiscard]] double read_double(hid_t object, const std::string& name);
+[[nodiscard]] std::int64_t read_integer(hid_t object, const std::string& name);
+[[nodiscard]] std::uint64_t read_unsigned(hid_t object, const std::string& name);
+[[nodiscard]] std::string read_string(hid_t object, const std::string& name);
+
+}  // namespace vortree::io::h5

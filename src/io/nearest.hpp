@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace vortree::io {
+
+/// The candidate that a mistyped word most likely means (fewest insertions, deletions and
+/// replacements); empty if none is near: more than two slips, or a third of the word.
+[[nodiscard]] std::string_view nearest(std::string_view word,
+                                       std::span<const std::string_view> candidates);
+
+/// "a, b, c"
+[[nodiscard]] std::string listed(std::span<const std::string_view> words);
+
+}  // namespace vortree::io

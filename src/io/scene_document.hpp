@@ -1,0 +1,39 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace vortree::io {
+
+/// A parsed TOML text with the overrides of the command line laid over it, which remembers where
+/// each key came from so that errors can say it.
+class Document {
+ public:
+  /// throws  InputError: empty, not TOML (with the line), an override that cannot be understood
+  Document(std::string_view text, std::filesystem::path path,
+           std::span<const std::string> overrides);
+
+  [[nodiscard]] const toml::table& root() const { return root_; }
+
+  /// Throws the InputError `place: words`. key is dotted ("flow.nu"), or a table, or empty for the
+  /// whole file; the place is the override that set it, or its line, or else the line of its table.
+  [[noreturn]] void refuse(std::string_view key, std::string_view words) const;
+
+ private:
+  void lay_over(const std::string& override);
+  [[nodiscard]] std::string place(std::string_view key) const;
+
+  std::filesystem::path path_;
+  toml::table root_;
+  std::map<std::string, std::string, std::less<>> overrides_;  // dotted key -> as it was typed
+};
+
+/// "a string", "an integer", "a table", ...
+[[nodiscard]] std::string_view kind_of(const toml::node&);
+
+}  // namespace vortree::io
