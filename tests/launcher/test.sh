@@ -1,0 +1,129 @@
+#!/usr/bin/env bash
+# The launcher on made-up machines: a PATH with nothing but what a claim needs, and a project of the launcher alone.
+#   test.sh LAUNCHER
+set -u
+launcher=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+failures=0
+
+expect() {  # expect WHAT FOUND WANTED-PATTERN
+  # shellcheck disable=SC2053
+  [[ $2 == $3 ]] && return
+  printf 'FAILED %s: %s\n  found:  %s\n  wanted: %s\n' "$claim" "$1" "$2" "$3"
+  failures=$((failures + 1))
+}
+
+tool() { printf '#!%s\n%s\n' "$BASH" "$2" >"$machine/$1"; chmod +x "$machine/$1"; }
+
+# A fresh machine with the basic tools only, and a fresh project on it.
+claim() {
+  claim=$1
+  machine=$(mktemp -d -p "$scratch")
+  project=$(mktemp -d -p "$scratch")
+  local basic
+  for basic in bash env cat cut dirname flock grep mkdir nproc readlink sleep tail; do
+    ln -s "$(command -v "$basic")" "$machine/$basic"
+  done
+  cp "$launcher" "$project/vortree"
+}
+
+# cmake and ninja that only leave a program behind; it prints where it is called and with what, and returns 7.
+builders() {
+  tool cmake "echo \"CMAKE_HOME_DIRECTORY:INTERNAL=$project\" >$project/build/CMakeCache.txt
+    echo configured >>$project/steps; : >$project/build/build.ninja"
+  tool ninja "echo \"ninja \${@: -1}\" >>$project/steps; echo '[1/1] Building CXX object'
+    mkdir -p $project/build/bin
+    printf '#!%s\necho \"\$PWD: \$*\"; exit 7\n' $BASH >$project/build/bin/vortree
+    $(command -v chmod) +x $project/build/bin/vortree"
+  tool ctest "echo \"ctest \$*\"; exit 8"
+}
+
+# An apt whose installed packages are the words of the file `installed`.
+apt() {
+  printf '%s\n' "$@" >"$machine/installed"
+  tool apt-get "echo \"\$DEBIAN_FRONTEND \$*\" >>$project/steps"
+  tool dpkg-query "while read -r name; do echo \"\$name installed\"; done <$machine/installed; exit 1"
+}
+
+call() {  # call FROM LAUNCHER ARGUMENTS: sets out, err, code
+  local from=$1
+  shift
+  out=$(cd "$from" && PATH=$machine "$@" 2>"$scratch/err")
+  code=$?
+  err=$(<"$scratch/err")
+}
+
+steps() { cat "$project/steps" 2>/dev/null; }
+
+packages='g++ cmake ninja-build libeigen3-dev libboost-dev libfftw3-dev libhdf5-dev libtomlplusplus-dev libcli11-dev
+libfmt-dev catch2 python3-matplotlib python3-h5py'
+
+claim "without apt it names what is missing and stops"
+call "$project" ./vortree cases
+expect code $code 1
+expect lines "$(grep -c '' <<<"$err")" 1
+expect names "$err" "vortree: missing: g++ cmake ninja-build*"
+expect nothing-done "$(steps)" ""
+
+claim "with everything installed apt is not called; arguments, folder and exit code pass through"
+apt $packages; builders
+mkdir "$project/elsewhere"
+ln -s "$project/vortree" "$project/elsewhere/link"
+call "$project/elsewhere" ./link run "my scene.toml" nu=1
+expect code $code 7
+expect out "$out" "$project/elsewhere: run my scene.toml nu=1"
+expect steps "$(steps)" "configured"$'\n'"ninja vortree"
+expect said "$err" "vortree: building"
+call "$project" ./vortree cases
+expect again "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"ninja vortree"
+
+claim "a package that is only known or half installed is installed, and no other; the index is refreshed first"
+apt ${packages/catch2/}; builders
+printf 'catch2 half-\ncatch2 not-\n' >>"$machine/installed"
+if ((EUID != 0)); then tool sudo 'exec "$@"'; fi
+call "$project" ./vortree cases
+expect code $code 7
+expect said "${err%%$'\n'*}" "vortree: installing catch2"
+expect steps "$(steps)" "noninteractive * update"$'\n'"noninteractive * install -y --no-install-recommends catch2"$'\n'"configured*"
+
+claim "a failing installation ends with apt's words and 1"
+apt g++; builders
+tool apt-get 'echo "E: Unable to locate package" >&2; exit 100'
+if ((EUID != 0)); then tool sudo 'exec "$@"'; fi
+call "$project" ./vortree cases
+expect code $code 1
+expect words "$err" "*E: Unable to locate package*could not install cmake ninja-build*"
+
+claim "test builds all, and leaves with ctest's code"
+apt $packages; builders
+call "$project" ./vortree test -R tree
+expect code $code 8
+expect out "$out" "ctest --test-dir $project/build --output-on-failure -R tree"
+expect steps "$(steps)" "configured"$'\n'"ninja all"
+
+claim "a build that fails is shown, and nothing runs"
+apt $packages; builders
+tool ninja 'echo "[1/2] Building CXX object a.o"; echo "a.cpp:1: error: no"; exit 1'
+call "$project" ./vortree cases
+expect code $code 1
+expect out "$out" ""
+expect shown "$err" "*a.cpp:1: error: no*the build failed*"
+
+claim "a project that was moved is configured afresh"
+apt $packages; builders
+call "$project" ./vortree cases
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=/old/place" >"$project/build/CMakeCache.txt"
+call "$project" ./vortree cases
+expect steps "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"configured"$'\n'"ninja vortree"
+
+claim "two calls at once build one after the other"
+apt $packages; builders
+tool ninja "[[ -e $project/busy ]] && echo clash >>$project/steps; : >$project/busy; sleep 0.3; $(command -v rm) $project/busy"
+(cd "$project" && PATH=$machine ./vortree cases) >/dev/null 2>&1 &
+call "$project" ./vortree cases
+wait
+expect steps "$(steps)" "configured"
+
+((failures == 0)) && echo "all claims hold"
+exit $((failures > 0))
