@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+
+namespace vortree::fmm {
+
+/// Vortex blobs of Gaussian core, read only.
+///
+///   omega(x) = gamma/(pi sigma^2) exp(-|x - X|^2 / sigma^2),   gamma > 0 turns anticlockwise
+///
+/// x, y    n positions [m]
+/// gamma   n circulations [m^2/s]
+/// sigma   n core sizes [m], >= 0; 0 is a bare vortex; empty: all are bare
+struct Blobs {
+  std::span<const double> x, y, gamma, sigma;
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+};
+
+/// Where a velocity is asked for.
+///
+/// x, y    n positions [m]
+/// sigma   n core sizes [m]; empty: all 0. Read only with Cores::mean.
+struct Targets {
+  std::span<const double> x, y, sigma;
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+};
+
+/// The squared core S of a pair, target i and source j.
+///   source   S = sigma_j^2                      the velocity field of the blobs
+///   mean     S = (sigma_i^2 + sigma_j^2) / 2    symmetric: conserves sum gamma x to round-off
+enum class Cores { source, mean };
+
+/// throws  std::invalid_argument naming what differs in length, or the first value that is not
+///         finite or (sigma) negative, with its index
+void check(const Blobs& blobs);
+void check(const Targets& targets);
+/// throws  std::invalid_argument unless u and v hold n values
+void check_result(std::size_t n, std::span<const double> u, std::span<const double> v);
+
+}  // namespace vortree::fmm

@@ -1,0 +1,86 @@
+#include "fmm/direct.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "fmm/p2p_kernel.hpp"
+#include "fmm/units.hpp"
+
+namespace vortree::fmm {
+namespace {
+
+constexpr std::size_t tile = 1024;  // sources: four arrays of it stay in the first cache
+constexpr std::size_t batch = 64;   // targets that visit a tile together
+
+template <class Pair>
+std::vector<Packed> tiles(const Blobs& blobs, const Units& units) {
+  std::vector<Packed> packed;
+  for (std::size_t first = 0; first < blobs.size(); first += tile) {
+    const std::size_t last = std::min(first + tile, blobs.size());
+    Packed& sources = packed.emplace_back();
+    sources.restart(last - first);
+    for (std::size_t j = first; j < last; ++j) {
+      const double core = blobs.sigma.empty() ? 0.0 : units.squared_core(blobs.sigma[j]);
+      sources.add(units.position(blobs.x[j]), units.position(blobs.y[j]),
+                  units.circulation(blobs.gamma[j]), Pair::packed_core(core));
+    }
+    sources.close();
+  }
+  return packed;
+}
+
+struct Batch {
+  double x[batch], y[batch], core[batch];
+  std::size_t size;
+
+  Batch(const Targets& targets, std::size_t first, const Units& units)
+      : size(std::min(batch, targets.size() - first)) {
+    for (std::size_t i = 0; i < size; ++i) {
+      x[i] = units.position(targets.x[first + i]);
+      y[i] = units.position(targets.y[first + i]);
+      core[i] = targets.sigma.empty() ? 0.0 : units.squared_core(targets.sigma[first + i]);
+    }
+  }
+};
+
+template <class Pair>
+void sum_all(const Blobs& blobs, const Targets& targets, std::span<double> u, std::span<double> v) {
+  const Units units = Units::of(blobs);
+  const std::vector<Packed> sources = tiles<Pair>(blobs, units);
+  std::ranges::fill(u, 0.0);
+  std::ranges::fill(v, 0.0);
+  const std::size_t n = targets.size();
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t first = 0; first < n; first += batch) {
+    const Batch local(targets, first, units);
+    const NearTargets some{local.x, local.y, local.core, &u[first], &v[first], local.size};
+    for (const Packed& packed : sources) p2p<Pair>(packed, some);
+    units.to_velocity(u.subspan(first, local.size));
+    units.to_velocity(v.subspan(first, local.size));
+  }
+}
+
+bool bare(const Blobs& blobs, const Targets& targets, Cores cores) {
+  const auto all_zero = [](std::span<const double> sigma) {
+    return std::ranges::all_of(sigma, [](double value) { return value == 0.0; });
+  };
+  return all_zero(blobs.sigma) && (cores == Cores::source || all_zero(targets.sigma));
+}
+
+}  // namespace
+
+void velocity_direct(const Blobs& blobs, const Targets& targets, Cores cores, std::span<double> u,
+                     std::span<double> v) {
+  check(blobs);
+  check(targets);
+  check_result(targets.size(), u, v);
+  if (bare(blobs, targets, cores)) {
+    sum_all<BarePair>(blobs, targets, u, v);
+  } else if (cores == Cores::source) {
+    sum_all<SourceCorePair<FineExp>>(blobs, targets, u, v);
+  } else {
+    sum_all<MeanCorePair<FineExp>>(blobs, targets, u, v);
+  }
+}
+
+}  // namespace vortree::fmm

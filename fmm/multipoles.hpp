@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fmm/cells.hpp"
+#include "tree/quadtree.hpp"
+
+namespace vortree::fmm {
+
+/// The multipoles of all cells: of each `order` real parts, then as many imaginary parts, about the
+/// middle of the cell's box, in lengths of scale(cell) (operators.hpp).
+class Multipoles {
+ public:
+  Multipoles() = default;
+
+  /// The upward pass: P2M in childless cells, M2M from level to level. Threads share the cells of a
+  /// level; every cell is summed by one thread in a fixed order.
+  ///
+  /// gamma   circulations in the order of points
+  Multipoles(const tree::Quadtree& tree, const CellShapes& shapes, const SortedPoints& points,
+             std::span<const double> gamma, int order);
+
+  [[nodiscard]] int order() const { return order_; }
+  [[nodiscard]] const double* real(std::size_t cell) const {
+    return terms_.data() + 2 * cell * static_cast<std::size_t>(order_);
+  }
+  [[nodiscard]] const double* imaginary(std::size_t cell) const { return real(cell) + order_; }
+  [[nodiscard]] std::size_t bytes() const { return terms_.capacity() * sizeof(double); }
+
+ private:
+  void add_points(const CellShapes& shapes, const SortedPoints& points,
+                  std::span<const double> gamma, tree::Range range, std::size_t cell);
+  void add_child(const CellShapes& shapes, std::size_t child, std::size_t cell);
+
+  int order_ = 0;
+  std::vector<double> terms_;
+};
+
+/// The length a cell's series is scaled by: its radius, or where that is nothing, next to nothing.
+[[nodiscard]] double scale(const CellShapes& shapes, std::size_t cell);
+
+}  // namespace vortree::fmm

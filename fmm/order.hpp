@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+
+namespace vortree::fmm {
+
+/// How many terms of a multipole keep the promised tolerance.
+///
+/// A cell of radius R, seen from distance d of its expansion centre, ratio = R/d < 1: p terms leave
+///
+///   |error| <= (sum |gamma_j| / d) ratio^p / (1 - ratio)
+///
+/// if every source sat at the edge, in line with the target. Real cells fill their disk, errors
+/// of many cells add up at random, and the error against the direct sum is found some hundred times
+/// below the bound (tests/fmm/orders.cpp). Terms are chosen for
+///
+///   ratio^p / (1 - ratio) <= overestimate * tolerance
+///
+/// which leaves the measured error several times below the tolerance.
+inline constexpr double overestimate = 20.0;
+
+/// Terms that keep a tolerance at a ratio in [0, 1).
+[[nodiscard]] int terms_for(double tolerance, double ratio);
+
+/// The ratio up to which cells meet by series when the order is chosen by tolerance, the cheapest
+/// on average between few terms of small cells and many terms of large ones.
+inline constexpr double widest_ratio = 0.6;
+
+/// The paper's rule, one cell apart: half the diagonal over one and a half sides.
+inline constexpr double one_cell_apart = 0.47140452079103168;
+
+/// Terms by ratio, looked up.
+class Order {
+ public:
+  /// As many terms as each ratio needs, up to widest_ratio.
+  static Order for_tolerance(double tolerance);
+  /// The same number of terms everywhere, up to the paper's ratio.
+  static Order fixed(int terms);
+
+  [[nodiscard]] int most() const { return most_; }
+  [[nodiscard]] double squared_ratio() const { return squared_ratio_; }
+  /// Terms at a squared ratio <= squared_ratio().
+  [[nodiscard]] int terms(double squared) const {
+    return terms_[static_cast<int>(squared * per_bin_)];
+  }
+
+ private:
+  static constexpr int bins = 256;
+  int most_ = 0;
+  double squared_ratio_ = 0, per_bin_ = 0;
+  std::array<int, bins + 1> terms_{};
+};
+
+}  // namespace vortree::fmm

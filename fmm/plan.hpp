@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fmm/blobs.hpp"
+#include "fmm/evaluate.hpp"
+#include "fmm/units.hpp"
+#include "tree/quadtree.hpp"
+
+namespace vortree::fmm {
+
+/// Which walk builds the tree; both build the same.
+enum class Builder { reverse, forward };
+
+/// tolerance      what the user is promised (Plan), in (0, 1)
+/// order          terms of a multipole, 1 .. 200; 0: chosen by tolerance for every pair of cells.
+///                A fixed order keeps no promise; cells then meet one cell apart, as in the paper
+/// capacity       points of a childless cell at most; 0: chosen
+/// finest_level   no cell lies below; 0 .. 31
+struct Options {
+  double tolerance = 1e-6;
+  int order = 0;
+  std::uint32_t capacity = 0;
+  int finest_level = tree::max_level;
+  Builder builder = Builder::reverse;
+  Cores cores = Cores::source;
+};
+
+/// Velocities of many blobs at many places, in O(n log n): Laurent series of far cells straight to
+/// the targets, near blobs one by one. Made once for a set of blobs, asked any number of times.
+///
+///   u_i = sum_j gamma_j/(2 pi) (1 - exp(-r^2/S)) / r^2 (-dy, dx),  (dx, dy) = x_i - x_j
+///
+/// with S as Options::cores says; S = 0 is the bare vortex 1/r^2, r = 0 contributes nothing.
+///
+/// error    ||u - u_exact||_2 <= tolerance ||u_exact||_2, and 99 % of the targets within
+///          tolerance * sum_j |contribution of j|                  (tests/fmm/tolerance_sweep.cpp)
+///          Cells meet by series only where no core shows any more: gap >= sqrt(S ln(1/tolerance)).
+/// threads  OpenMP; results are the same bit for bit for any number of threads
+/// source   Huang, Huang, Xu & Hu, Thermal Science 16 (2012), box-to-point
+class Plan {
+ public:
+  /// cost    O(n order) time and 16 order bytes a cell; the blobs are copied
+  /// throws  std::invalid_argument for blobs as check() does, and for options out of range
+  Plan(const Blobs& blobs, const Options& options);
+
+  /// At the blobs themselves.
+  /// u, v    as many as blobs [m/s], in their input order; overwritten
+  void velocity(std::span<double> u, std::span<double> v) const;
+
+  /// Elsewhere.
+  void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const;
+
+  /// Elsewhere, all cores taken as nothing.
+  void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const;
+
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  /// The most terms any multipole is evaluated with.
+  [[nodiscard]] int order() const { return cored_.order.most(); }
+  [[nodiscard]] std::uint32_t capacity() const { return options_.capacity; }
+  [[nodiscard]] const tree::Quadtree& tree() const { return tree_; }
+  /// What velocity(u, v) computes, counted by walking again.
+  [[nodiscard]] Work work() const;
+  /// Memory held.
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  [[nodiscard]] SourceSide sources() const;
+  void velocity_at(const Targets& targets, const Acceptance& acceptance, std::span<double> u,
+                   std::span<double> v) const;
+
+  Options options_;
+  Units units_;
+  Acceptance cored_, bare_;
+  tree::Quadtree tree_;
+  SortedPoints points_;
+  std::vector<double> gamma_;
+  CellShapes shapes_;
+  Multipoles multipoles_;
+};
+
+}  // namespace vortree::fmm
