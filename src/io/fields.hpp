@@ -16,19 +16,21 @@ struct Field {
   bool operator==(const Field&) const = default;
 };
 
-/// Writes the group `field_<time>` of DIR/fields.h5 (created if need be; a field of the same time
-/// is replaced).
+/// Adds the group `field_<time>` to DIR/fields.h5 (made if need be).
 ///
-/// throws  std::invalid_argument if the sizes do not fit together, std::runtime_error if it cannot
-///         be written
+/// throws  std::invalid_argument if the sizes do not fit together or there is a field of that time,
+///         std::runtime_error if it cannot be written
 void append_field(const std::filesystem::path& dir, const Field&);
 
 /// Times of the fields in DIR/fields.h5, ascending; empty if there is no such file.
+/// throws  InputError if the file is not HDF5
 [[nodiscard]] std::vector<double> field_times(const std::filesystem::path& dir);
 
+/// throws  InputError if there is no field of that time, or if it is damaged
 [[nodiscard]] Field read_field(const std::filesystem::path& dir, double time);
 
-/// Drops the fields later than `time` (a resumed run will make them again).
+/// Drops the fields later than `time` (a resumed run will make them again) and those that cannot be
+/// read; the file takes the place of the old one in one rename. Does nothing without a file.
 void rewind_fields(const std::filesystem::path& dir, double time);
 
 }  // namespace vortree::io

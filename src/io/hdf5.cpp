@@ -14,12 +14,26 @@ void silence() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
+/// Someone who looks at the frames of a running program must not stop it by the lock of a reader.
+Handle unlocked() {
+  Handle access = own(H5Pcreate(H5P_FILE_ACCESS), "a property list");
+  check(H5Pset_file_locking(access, false, true), "a property list");
+  return access;
+}
+
+Handle small_group() {
+  Handle creation = own(H5Pcreate(H5P_GROUP_CREATE), "a property list");
+  check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED), "a property list");
+  return creation;
+}
+
 void write_values(hid_t place, const std::string& name, hid_t type, const void* values,
                   std::span<const hsize_t> shape) {
   const Handle space = own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                            "a data space could not be made");
   const Handle set = own(
       H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), name);
+  if (values == nullptr) return;  // no values: HDF5 takes no empty buffer
   check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
 }
 
@@ -70,12 +84,12 @@ bool is_hdf5(const std::filesystem::path& path) {
 
 Handle open_file(const std::filesystem::path& path, unsigned flags) {
   silence();
-  return own(H5Fopen(path.c_str(), flags, H5P_DEFAULT), path.string() + " cannot be opened");
+  return own(H5Fopen(path.c_str(), flags, unlocked()), path.string() + " cannot be opened");
 }
 
 Handle create_file(const std::filesystem::path& path, hid_t creation) {
   silence();
-  return own(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT),
+  return own(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, unlocked()),
              path.string() + " cannot be created");
 }
 
@@ -88,6 +102,17 @@ void close_file(Handle file, const std::filesystem::path& path) {
   if (!synced) throw Failure(path.string() + " cannot be forced to the disk");
 }
 
+Handle create_group(hid_t place, const std::string& name) {
+  return own(H5Gcreate2(place, name.c_str(), H5P_DEFAULT, small_group(), H5P_DEFAULT), name);
+}
+
+void append_group(hid_t file, const std::string& name, const std::function<void(hid_t)>& fill) {
+  const Handle group = own(H5Gcreate_anon(file, small_group(), H5P_DEFAULT), name);
+  fill(group);
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), name);
+  check(H5Olink(group, file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), name);
+}
+
 bool has(hid_t place, const std::string& name) {
   return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0;
 }
@@ -96,10 +121,10 @@ bool has_attribute(hid_t object, const std::string& name) {
   return H5Aexists(object, name.c_str()) > 0;
 }
 
-std::vector<std::string> names(hid_t group) {
+std::vector<Link> links(hid_t group) {
   H5G_info_t info{};
   check(H5Gget_info(group, &info), "the list of names cannot be read");
-  std::vector<std::string> found;
+  std::vector<Link> found;
   for (hsize_t i = 0; i < info.nlinks; ++i) {
     const auto name_of = [&](char* text, std::size_t room) {
       return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, room, H5P_DEFAULT);
@@ -109,7 +134,7 @@ std::vector<std::string> names(hid_t group) {
     std::string name(static_cast<std::size_t>(length) + 1, '\0');
     if (name_of(name.data(), name.size()) != length) continue;
     name.pop_back();
-    found.push_back(std::move(name));
+    found.push_back({i, std::move(name)});
   }
   return found;
 }
@@ -140,6 +165,7 @@ std::vector<double> read(hid_t place, const std::string& name, std::size_t most)
     throw Failure(fmt::format("{} claims to hold {} numbers", name, count));
   }
   std::vector<double> values(static_cast<std::size_t>(count));
+  if (values.empty()) return values;
   check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
   return values;
 }

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -64,11 +64,25 @@ void check(herr_t status, std::string_view what);
 /// Flushes, closes and forces to the disk. throws Failure: what was written is not safe.
 void close_file(Handle, const std::filesystem::path&);
 
+/// A group that keeps its links in its own header, whatever the symbol tables of the file are made
+/// for: those of a frames file hold thousands of links, which would be a waste in a small group.
+[[nodiscard]] Handle create_group(hid_t place, const std::string& name);
+
+/// Adds such a group to a file: filled first, then flushed, and only then linked by its name. A
+/// process killed on the way leaves a file without the group, not a file with half of it.
+void append_group(hid_t file, const std::string& name, const std::function<void(hid_t)>& fill);
+
 [[nodiscard]] bool has(hid_t place, const std::string& name);
 [[nodiscard]] bool has_attribute(hid_t object, const std::string& name);
 
-/// Names of the links in a group, in the order HDF5 keeps them; unreadable ones are left out.
-[[nodiscard]] std::vector<std::string> names(hid_t group);
+/// One link of a group: its place in the order HDF5 keeps them, and its name.
+struct Link {
+  hsize_t index;
+  std::string name;
+};
+
+/// The links of a group; those whose name is damaged are left out.
+[[nodiscard]] std::vector<Link> links(hid_t group);
 
 void write(hid_t place, const std::string& name, std::span<const double>);
 void write(hid_t place, const std::string& name, std::span<const std::int64_t>);

@@ -68,7 +68,8 @@ class Reader {
   }
 
   std::string what_is_there() const {
-    const std::vector<std::string> found = h5::names(file_);
+    std::vector<std::string> found;
+    for (const auto& [index, name] : h5::links(file_)) found.push_back(name);
     return found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", "));
   }
 

@@ -1,0 +1,137 @@
+#include "io/fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "io/files.hpp"
+#include "io/hdf5.hpp"
+#include "io/mended.hpp"
+
+namespace vortree::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::pair<const char*, std::vector<double> Field::*>, 3> grids{
+    {{"u", &Field::u}, {"v", &Field::v}, {"omega", &Field::omega}}};
+
+fs::path fields_path(const fs::path& dir) {
+  return dir / "fields.h5";
+}
+
+std::string field_name(double time) {
+  return fmt::format("field_{}", time);
+}
+
+void require_sizes(const Field& field) {
+  for (const auto& [name, grid] : grids) {
+    if ((field.*grid).size() != field.x.size() * field.y.size()) {
+      throw std::invalid_argument(fmt::format("field of t = {}: {} has {} values on a grid {} x {}",
+                                              field.time, name, (field.*grid).size(),
+                                              field.y.size(), field.x.size()));
+    }
+  }
+}
+
+void write_field(hid_t file, const Field& field) {
+  h5::append_group(file, field_name(field.time), [&](hid_t group) {
+    h5::write(group, "x", field.x);
+    h5::write(group, "y", field.y);
+    for (const auto& [name, grid] : grids) {
+      h5::write_grid(group, name, field.*grid, field.y.size(), field.x.size());
+    }
+    h5::write_attribute(group, "time", field.time);
+  });
+}
+
+Field read_group(hid_t file, const std::string& name) {
+  const h5::Handle group = h5::own(H5Gopen2(file, name.c_str(), H5P_DEFAULT), name);
+  Field field;
+  field.time = h5::read_double(group, "time");
+  field.x = h5::read(group, "x");
+  field.y = h5::read(group, "y");
+  for (const auto& [column, grid] : grids) field.*grid = h5::read(group, column);
+  return field;
+}
+
+/// The fields that can be read, by ascending time.
+std::vector<std::pair<double, std::string>> list(hid_t file) {
+  std::vector<std::pair<double, std::string>> found;
+  for (const auto& [index, name] : h5::links(file)) {
+    try {
+      const h5::Handle group = h5::own(H5Gopen2(file, name.c_str(), H5P_DEFAULT), name);
+      found.emplace_back(h5::read_double(group, "time"), name);
+    } catch (const h5::Failure&) {
+      continue;
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
+void append_field(const fs::path& dir, const Field& field) {
+  require_sizes(field);
+  const fs::path path = fields_path(dir);
+  try {
+    h5::Handle file = fs::exists(path) ? h5::open_file(path, H5F_ACC_RDWR) : h5::create_file(path);
+    if (h5::has(file, field_name(field.time))) {
+      throw std::invalid_argument(
+          fmt::format("{} has a field of t = {} already", path.string(), field.time));
+    }
+    write_field(file, field);
+    h5::close_file(std::move(file), path);
+  } catch (const h5::Failure& failure) {
+    throw std::runtime_error(fmt::format("{}: the field of t = {} cannot be saved ({})",
+                                         path.string(), field.time, failure.what()));
+  }
+}
+
+std::vector<double> field_times(const fs::path& dir) {
+  const fs::path path = fields_path(dir);
+  std::vector<double> times;
+  if (!fs::exists(path)) return times;
+  const MendedFile mended = open_mended(path);
+  if (mended.file < 0) return times;
+  for (const auto& [time, name] : list(mended.file)) times.push_back(time);
+  return times;
+}
+
+Field read_field(const fs::path& dir, double time) {
+  const fs::path path = fields_path(dir);
+  const MendedFile mended = open_mended(path);
+  try {
+    return read_group(mended.file, field_name(time));
+  } catch (const h5::Failure&) {
+    throw InputError(
+        fmt::format("{} has no field of t = {} that can be read", path.string(), time));
+  }
+}
+
+void rewind_fields(const fs::path& dir, double time) {
+  const fs::path path = fields_path(dir);
+  if (!fs::exists(path)) return;
+  const MendedFile mended = open_mended(path);
+  replace_file(path, [&](const fs::path& fresh) {
+    h5::Handle healthy = h5::create_file(fresh);
+    if (mended.file >= 0) {
+      for (const auto& [at, name] : list(mended.file)) {
+        if (at > time) break;
+        try {
+          write_field(healthy, read_group(mended.file, name));
+        } catch (const h5::Failure&) {
+          continue;
+        }
+      }
+    }
+    h5::close_file(std::move(healthy), fresh);
+  });
+}
+
+}  // namespace vortree::io

@@ -1,0 +1,100 @@
+#include "io/frame_group.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "io/checksum.hpp"
+
+namespace vortree::io {
+namespace {
+
+std::uint64_t checksum(const Frame& frame) {
+  Checksum sum;
+  sum.add(static_cast<std::uint64_t>(frame.step));
+  sum.add(frame.time);
+  for (const auto& [name, column] : frame_columns) sum.add(frame.*column);
+  for (const auto& [name, values] : frame.state) {
+    sum.add(name);
+    sum.add(values);
+  }
+  return sum.value();
+}
+
+std::optional<std::int64_t> step_of(std::string_view name) {
+  constexpr std::string_view prefix = "frame_";
+  if (!name.starts_with(prefix)) return std::nullopt;
+  name.remove_prefix(prefix.size());
+  std::int64_t step = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), step);
+  if (error != std::errc{} || end != name.data() + name.size()) return std::nullopt;
+  return step;
+}
+
+h5::Handle open_frame(hid_t file, const FramePlace& place) {
+  return h5::own(H5Oopen_by_idx(file, ".", H5_INDEX_NAME, H5_ITER_INC, place.index, H5P_DEFAULT),
+                 frame_name(place.step) + " cannot be opened");
+}
+
+/// No column can be longer than the file: a damaged length must not ask for all the memory.
+std::size_t most_numbers(hid_t file) {
+  hsize_t bytes = 0;
+  h5::check(H5Fget_filesize(file, &bytes), "the size of the file");
+  return bytes / sizeof(double);
+}
+
+}  // namespace
+
+std::string frame_name(std::int64_t step) {
+  return fmt::format("frame_{:06}", step);
+}
+
+std::vector<FramePlace> frame_places(hid_t file) {
+  std::vector<FramePlace> places;
+  for (const auto& [index, name] : h5::links(file)) {
+    if (const auto step = step_of(name)) places.push_back({*step, index});
+  }
+  std::sort(places.begin(), places.end(),
+            [](const FramePlace& a, const FramePlace& b) { return a.step < b.step; });
+  return places;
+}
+
+void write_frame(hid_t file, const Frame& frame) {
+  h5::append_group(file, frame_name(frame.step), [&](hid_t group) {
+    for (const auto& [name, column] : frame_columns) h5::write(group, name, frame.*column);
+    const h5::Handle state = h5::create_group(group, "state");
+    for (const auto& [name, values] : frame.state) h5::write(state, name, values);
+    h5::write_attribute(group, "step", frame.step);
+    h5::write_attribute(group, "time", frame.time);
+    h5::write_attribute(group, "checksum", checksum(frame));
+  });
+}
+
+Frame read_frame(hid_t file, const FramePlace& place) {
+  const h5::Handle group = open_frame(file, place);
+  const std::size_t most = most_numbers(file);
+  Frame frame;
+  frame.step = h5::read_integer(group, "step");
+  frame.time = h5::read_double(group, "time");
+  for (const auto& [column, values] : frame_columns) {
+    frame.*values = h5::read(group, column, most);
+  }
+  const h5::Handle state = h5::own(H5Gopen2(group, "state", H5P_DEFAULT), "state");
+  for (const auto& [index, key] : h5::links(state)) frame.state[key] = h5::read(state, key, most);
+  if (frame.step != place.step || h5::read_unsigned(group, "checksum") != checksum(frame)) {
+    throw h5::Failure(frame_name(place.step) + " does not agree with its checksum");
+  }
+  return frame;
+}
+
+FrameLabel read_label(hid_t file, const FramePlace& place) {
+  const h5::Handle group = open_frame(file, place);
+  const h5::Handle x = h5::own(H5Dopen2(group, "x", H5P_DEFAULT), "x");
+  const h5::Handle space = h5::own(H5Dget_space(x), "x");
+  return {.step = place.step,
+          .time = h5::read_double(group, "time"),
+          .blobs = static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space))};
+}
+
+}  // namespace vortree::io

@@ -1,0 +1,88 @@
+#include "io/mended.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <optional>
+#include <string_view>
+#include <tuple>
+
+#include "io/files.hpp"
+
+namespace vortree::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+// Superblock, version 0: after the signature a byte of version, ..., at byte 40 the end of file.
+constexpr std::size_t end_of_file_at = 40;
+
+/// The length that the superblock promises; nothing if the file ends before it says so.
+std::optional<std::uint64_t> promised_bytes(const fs::path& path) {
+  std::array<char, end_of_file_at + sizeof(std::uint64_t)> head{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), head.size());
+  const std::string_view found(head.data(), static_cast<std::size_t>(in.gcount()));
+  const std::size_t known = std::min(found.size(), signature.size());
+  if (found.substr(0, known) != signature.substr(0, known)) {
+    throw InputError(path.string() + " is not an HDF5 file");
+  }
+  if (found.size() < head.size()) return std::nullopt;
+  if (head[signature.size()] != 0) return fs::file_size(path);
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, head.data() + end_of_file_at, sizeof bytes);
+  return bytes;
+}
+
+/// A copy beside the file, or where the system keeps such things; filled up with zeros.
+std::pair<TemporaryFile, fs::path> filled_up(const fs::path& path, std::uint64_t bytes) {
+  std::error_code error;
+  const std::string name = fmt::format("{}.{}.mended", path.filename().string(), ::getpid());
+  for (const fs::path& folder : {path.parent_path(), fs::temp_directory_path(error)}) {
+    const fs::path copy = folder / name;
+    TemporaryFile guard(copy);
+    if (!fs::copy_file(path, copy, fs::copy_options::overwrite_existing, error)) continue;
+    fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add, error);
+    fs::resize_file(copy, bytes, error);
+    if (!error) return {std::move(guard), copy};
+  }
+  throw std::runtime_error(fmt::format("{} is cut short, and there is no room for a copy: {}",
+                                       path.string(), error.message()));
+}
+
+}  // namespace
+
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove(path_, ignored);
+}
+
+MendedFile open_mended(const fs::path& path) {
+  require_file(path);
+  const auto promised = promised_bytes(path);
+  const std::uint64_t bytes = fs::file_size(path);
+  MendedFile opened;
+  fs::path readable = path;
+  if (!promised) {
+    opened.wound = fmt::format("is cut short at byte {}", bytes);
+    return opened;
+  }
+  if (bytes < *promised) {
+    opened.wound = fmt::format("is cut short at byte {} of {}", bytes, *promised);
+    std::tie(opened.copy, readable) = filled_up(path, *promised);
+  }
+  try {
+    opened.file = h5::open_file(readable);
+  } catch (const h5::Failure&) {
+    if (opened.wound.empty()) opened.wound = "is damaged at its beginning";
+  }
+  return opened;
+}
+
+}  // namespace vortree::io
