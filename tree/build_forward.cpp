@@ -1,20 +1,18 @@
 #include "tree/build_forward.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "tree/search_kernel.hpp"
 
 namespace vortree::tree {
 
 namespace {
 
+// Where child q of a family ends, if it ends inside `within`.
 std::uint32_t end_of_child(const std::vector<Key>& keys, Range within, Key child, int level) {
-  const auto first = keys.begin() + within.first;
-  const auto last = keys.begin() + within.last;
-  return static_cast<std::uint32_t>(
-      std::lower_bound(first, last, first_descendant(child + 1, level)) - keys.begin());
+  return kernel::lower_bound(keys, within, first_descendant(child + 1, level));
 }
 
 void split(std::uint32_t parent, const std::vector<Key>& keys, std::vector<Cell>& cells) {
@@ -46,7 +44,7 @@ Quadtree build_forward(MortonOrder order, const SplitRule& must_split) {
     cells.push_back({0, 0, -1, {}, {0, static_cast<std::uint32_t>(order.keys.size())}});
   }
   for (std::uint32_t c = 0; c < cells.size(); ++c) {
-    const Block block{cells[c].level, std::ldexp(order.domain.side, -cells[c].level),
+    const Block block{cells[c].level, order.domain.cell_side(cells[c].level),
                       cells[c].points};
     if (block.level < order.finest && must_split(block)) {
       split(c, order.keys, cells);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "tree/search_kernel.hpp"
 
 namespace vortree::tree {
 
@@ -22,60 +23,66 @@ int meeting_level(const std::vector<Key>& keys, std::uint32_t point) {
   return point == 0 || point == keys.size() ? -1 : common_level(keys[point - 1], keys[point]);
 }
 
-// The first point at or after `from` that lies beyond the cell of `key`. Steps double, since the
-// end is usually near.
-std::uint32_t end_of_cell(const std::vector<Key>& keys, std::uint32_t from, Key key, int level) {
-  const Key beyond = first_descendant(ancestor(key, level) + 1, level);
-  const std::size_t n = keys.size();
-  std::size_t low = from, step = 1;
-  while (low + step < n && keys[low + step] < beyond) {
-    low += step;
-    step *= 2;
-  }
-  const auto end =
-      std::lower_bound(keys.begin() + low, keys.begin() + std::min(low + step, n), beyond);
-  return static_cast<std::uint32_t>(end - keys.begin());
-}
-
 class Climber {
  public:
   Climber(const MortonOrder& order, const SplitRule& must_split)
-      : order_(order), must_split_(must_split) {}
+      : keys_(order.keys), domain_(order.domain), finest_(order.finest), must_split_(must_split) {}
 
   // The childless cell that begins at point `first`, given that all points before it are in other
-  // such cells.
-  [[nodiscard]] Leaf climb(std::uint32_t first) const {
-    const std::vector<Key>& keys = order_.keys;
-    const int before = meeting_level(keys, first);
-    int level = order_.finest;
-    std::uint32_t last = end_of_cell(keys, first, keys[first], level);
-    int refused = std::max(before, meeting_level(keys, last));
-    while (refused > before) {
-      const std::uint32_t merged = end_of_cell(keys, last, keys[first], refused);
-      if (must_split_(block(refused, {first, merged}))) {
-        break;
+  // such cells. `start` is a level to begin the climb at, if the rule lets it.
+  [[nodiscard]] Leaf climb(std::uint32_t first, int start) const {
+    int refused = meeting_level(keys_, first);
+    Block here = footing(first, std::max(start, refused + 1), refused);
+    for (int above = meeting_level(keys_, here.points.last); above > refused;
+         above = meeting_level(keys_, here.points.last)) {
+      const Block merged = grown(here, above);
+      if (must_split_(merged)) {
+        refused = above;
+      } else {
+        here = merged;
       }
-      level = refused;
-      last = merged;
-      refused = std::max(before, meeting_level(keys, last));
     }
-    return {coarsest(refused + 1, level, {first, last}), {first, last}};
+    const int joined = std::max(refused, meeting_level(keys_, here.points.last));
+    return {coarsest(joined + 1, here), here.points};
   }
 
  private:
-  [[nodiscard]] Block block(int level, Range points) const {
-    return {level, std::ldexp(order_.domain.side, -level), points};
+  // The cell of a level that begins with the points of a block inside it.
+  [[nodiscard]] Block grown(const Block& block, int level) const {
+    const Key cell = ancestor(keys_[block.points.first], level);
+    const Key beyond = first_descendant(cell + 1, level);
+    const std::uint32_t last = kernel::gallop(keys_, block.points.last, beyond);
+    return {level, domain_.cell_side(level), {block.points.first, last}};
   }
 
-  // The coarsest level in [low, high] at which these points, alone in their cell, need not split.
-  [[nodiscard]] int coarsest(int low, int high, Range points) const {
-    if (low == high || !must_split_(block(low, points))) {
+  // A cell that need not split and begins at `first`: of the given level, or as little below as can
+  // be had in steps that double, down to the finest. `refused` becomes the last level that must
+  // split.
+  [[nodiscard]] Block footing(std::uint32_t first, int level, int& refused) const {
+    for (int step = 1;; step *= 2) {
+      const Block block = grown({level, 0, {first, first}}, level);
+      if (level == finest_ || !must_split_(block)) {
+        return block;
+      }
+      refused = level;
+      level = std::min(level + step, finest_);
+    }
+  }
+
+  // The coarsest level at and above a block, not above `low`, at which its points, alone in their
+  // cell, need not split.
+  [[nodiscard]] int coarsest(int low, const Block& block) const {
+    int high = block.level;
+    const auto refuses = [&](int level) {
+      return must_split_({level, domain_.cell_side(level), block.points});
+    };
+    if (low == high || !refuses(low)) {
       return low;
     }
     ++low;
     while (low < high) {
       const int middle = (low + high) / 2;
-      if (must_split_(block(middle, points))) {
+      if (refuses(middle)) {
         low = middle + 1;
       } else {
         high = middle;
@@ -84,15 +91,19 @@ class Climber {
     return low;
   }
 
-  const MortonOrder& order_;
+  const std::vector<Key>& keys_;
+  const Domain& domain_;
+  int finest_;
   const SplitRule& must_split_;
 };
 
 std::vector<Leaf> childless_cells(const MortonOrder& order, const SplitRule& must_split) {
   const Climber climber(order, must_split);
   std::vector<Leaf> leaves;
+  int level = order.finest;
   for (std::uint32_t first = 0; first < order.keys.size(); first = leaves.back().points.last) {
-    leaves.push_back(climber.climb(first));
+    leaves.push_back(climber.climb(first, level));
+    level = leaves.back().level;
   }
   return leaves;
 }

@@ -24,6 +24,10 @@ struct Range {
 /// The square [x0, x0 + side] x [y0, y0 + side] that the cell of level 0 covers [m].
 struct Domain {
   double x0 = 0, y0 = 0, side = 1;
+  /// Side of a cell of a level: side / 2^level, exact.
+  [[nodiscard]] double cell_side(int level) const {
+    return side / static_cast<double>(std::uint64_t{1} << level);
+  }
   bool operator==(const Domain&) const = default;
 };
 

@@ -1,6 +1,5 @@
 #include "tree/quadtree.hpp"
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -136,10 +135,6 @@ Range Quadtree::level(int l) const {
     return {};
   }
   return {level_first_[l], level_first_[l + 1]};
-}
-
-double Quadtree::side(int level) const {
-  return std::ldexp(domain().side, -level);
 }
 
 Centre Quadtree::centre(const Cell& cell) const {

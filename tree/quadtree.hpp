@@ -72,7 +72,7 @@ class Quadtree {
   [[nodiscard]] std::span<const Key> keys() const { return order_.keys; }
 
   /// domain().side / 2^level: exact.
-  [[nodiscard]] double side(int level) const;
+  [[nodiscard]] double side(int level) const { return domain().cell_side(level); }
   /// (x0 + (2 ix + 1) side / 2, y0 + (2 iy + 1) side / 2). With a domain from enclose() this is the
   /// exact centre rounded once, so the centres of parent and child differ by side(parent)/4 within
   /// one rounding.

@@ -1,0 +1,106 @@
+#include <catch2/catch.hpp>
+
+#include "boundaries/includes.hpp"
+
+using vortree::test::Include;
+
+namespace {
+
+bool allowed(const std::string& file, const std::string& line) {
+  const std::vector<Include> includes = vortree::test::includes_in(file, line);
+  REQUIRE(includes.size() == 1);
+  return vortree::test::objection(includes[0]).empty();
+}
+
+}  // namespace
+
+TEST_CASE("includes flow with the stream") {
+  int files = 0;
+  const std::vector<std::string> objections =
+      vortree::test::objections_below(VORTREE_SOURCE_DIR, files);
+  for (const std::string& said : objections) UNSCOPED_INFO(said);
+  CHECK(objections.empty());
+  // A checker that looks into the wrong folder would find nothing wrong either.
+  CHECK(files > 20);
+}
+
+TEST_CASE("an arrow against the stream is named with file, line and reason") {
+  const auto includes = vortree::test::includes_in(
+      "tree/quadtree.hpp",
+      "#pragma once\n\n#include <vector>\n  #  include \"fmm/plan.hpp\"  // far\n");
+  REQUIRE(includes.size() == 2);
+  CHECK(vortree::test::objection(includes[0]) == "");
+  CHECK(vortree::test::objection(includes[1]) ==
+        "tree/quadtree.hpp:4: includes fmm/plan.hpp: tree must not depend on fmm");
+}
+
+TEST_CASE("an include in a comment is no include") {
+  CHECK(vortree::test::includes_in("tree/a.hpp", "// #include \"fmm/plan.hpp\"\n").empty());
+}
+
+TEST_CASE("tree sees the standard library and itself") {
+  CHECK(allowed("tree/a.cpp", "#include <vector>"));
+  CHECK(allowed("tree/a.cpp", "#include \"tree/a.hpp\""));
+  CHECK(allowed("tree/a.cpp", "#include \"a.hpp\""));
+  CHECK_FALSE(allowed("tree/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK_FALSE(allowed("tree/a.cpp", "#include <Eigen/Dense>"));
+  CHECK_FALSE(allowed("tree/a.cpp", "#include <hdf5.h>"));
+  CHECK_FALSE(allowed("tree/a.cpp", "#include \"../fmm/plan.hpp\""));
+  CHECK_FALSE(allowed("tree/a.cpp", "#include <vortree/fmm/plan.hpp>"));
+  CHECK_FALSE(allowed("tree/a.cpp", "#include \"src/io/scene.hpp\""));
+}
+
+TEST_CASE("fmm sees the tree, and nothing above it") {
+  CHECK(allowed("fmm/a.cpp", "#include \"tree/quadtree.hpp\""));
+  CHECK(allowed("fmm/a.cpp", "#include <omp.h>"));
+  CHECK_FALSE(allowed("fmm/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK_FALSE(allowed("fmm/a.cpp", "#include <Eigen/Dense>"));
+}
+
+TEST_CASE("vortex and sph never see each other") {
+  CHECK(allowed("src/vortex/a.cpp", "#include \"fmm/plan.hpp\""));
+  CHECK(allowed("src/vortex/a.cpp", "#include \"exact/lamb_oseen.hpp\""));
+  CHECK(allowed("src/vortex/a.cpp", "#include <Eigen/LU>"));
+  CHECK(allowed("src/sph/a.cpp", "#include \"tree/quadtree.hpp\""));
+  CHECK_FALSE(allowed("src/vortex/a.cpp", "#include \"sph/kernels.hpp\""));
+  CHECK_FALSE(allowed("src/sph/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK_FALSE(allowed("src/sph/a.cpp", "#include \"../vortex/blobs.hpp\""));
+  CHECK_FALSE(allowed("src/sph/a.cpp", "#include \"fmm/plan.hpp\""));
+  CHECK_FALSE(allowed("src/vortex/a.cpp", "#include \"io/scene.hpp\""));
+  CHECK_FALSE(allowed("src/vortex/a.cpp", "#include <fmt/format.h>"));
+}
+
+TEST_CASE("exact answers stand alone") {
+  CHECK(allowed("src/exact/a.cpp", "#include <cmath>"));
+  CHECK_FALSE(allowed("src/exact/a.cpp", "#include \"tree/points.hpp\""));
+  CHECK_FALSE(allowed("src/exact/a.cpp", "#include \"vortex/blobs.hpp\""));
+}
+
+TEST_CASE("io sees what it stores, but neither the program nor the bench") {
+  CHECK(allowed("src/io/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK(allowed("src/io/a.cpp", "#include <toml++/toml.h>"));
+  CHECK_FALSE(allowed("src/io/a.cpp", "#include \"app/run.hpp\""));
+  CHECK_FALSE(allowed("src/io/a.cpp", "#include \"sph/kernels.hpp\""));
+}
+
+TEST_CASE("only the program and the bench itself include the bench") {
+  CHECK(allowed("src/app/a.cpp", "#include \"bench/trees.hpp\""));
+  CHECK(allowed("src/bench/a.cpp", "#include \"bench/trees.hpp\""));
+  for (const std::string part : {"tree", "fmm", "src/vortex", "src/sph", "src/exact", "src/io"}) {
+    CAPTURE(part);
+    CHECK_FALSE(allowed(part + "/a.cpp", "#include \"bench/trees.hpp\""));
+  }
+}
+
+TEST_CASE("FFTW stays out of everything that gets installed as a library") {
+  CHECK(allowed("src/bench/a.cpp", "#include <fftw3.h>"));
+  for (const std::string part : {"tree", "fmm", "src/vortex", "src/sph", "src/exact", "src/io"}) {
+    CAPTURE(part);
+    CHECK_FALSE(allowed(part + "/a.cpp", "#include <fftw3.h>"));
+  }
+}
+
+TEST_CASE("a folder that nobody has spoken for is an objection") {
+  CHECK_FALSE(allowed("src/novelty/a.cpp", "#include <vector>"));
+  CHECK_FALSE(allowed("a.cpp", "#include <vector>"));
+}
