@@ -6,9 +6,13 @@
 namespace vortree::fmm {
 
 int terms_for(double tolerance, double ratio) {
-  if (ratio <= 0.0) return 1;
-  const double allowed = std::min(overestimate * tolerance, 0.5) * (1.0 - ratio);
-  return std::max(1, static_cast<int>(std::ceil(std::log(allowed) / std::log(ratio))));
+  double rest = 1.0 / (1.0 - ratio);
+  int terms = 0;
+  do {
+    rest *= ratio;
+    ++terms;
+  } while (rest > (terms + 2) * tolerance);
+  return terms;
 }
 
 Order Order::for_tolerance(double tolerance) {

@@ -10,14 +10,13 @@ namespace vortree::fmm {
 ///
 ///   |error| <= (sum |gamma_j| / d) ratio^p / (1 - ratio)
 ///
-/// if every source sat at the edge, in line with the target. Real cells fill their disk, errors
-/// of many cells add up at random, and the error against the direct sum is found some hundred times
-/// below the bound (tests/fmm/orders.cpp). Terms are chosen for
+/// if every source sat at the edge, in line with the target. Sources that fill their disk evenly have
+/// a mean |t|^p of 2/(p + 2) there, so terms are chosen for
 ///
-///   ratio^p / (1 - ratio) <= overestimate * tolerance
+///   ratio^p / (1 - ratio) <= (p + 2) tolerance
 ///
-/// which leaves the measured error several times below the tolerance.
-inline constexpr double overestimate = 20.0;
+/// What is left in hand is the direction of the sources and the random sum of many cells' errors:
+/// the measured error stays several times below the tolerance (tests/fmm/tolerance_sweep.cpp).
 
 /// Terms that keep a tolerance at a ratio in [0, 1).
 [[nodiscard]] int terms_for(double tolerance, double ratio);
