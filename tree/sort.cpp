@@ -1,45 +1,28 @@
 #include "tree/sort.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
-#include <string>
-#include <utility>
+
+#include "tree/radix_sort.hpp"
 
 namespace vortree::tree {
 
 namespace {
 
-constexpr int digit_bits = 8;
-constexpr std::size_t buckets = std::size_t{1} << digit_bits;
-constexpr int digits = 64 / digit_bits;
-using Histogram = std::array<std::uint32_t, buckets>;
-
-std::size_t digit(Key key, int which) {
-  return key >> which * digit_bits & (buckets - 1);
-}
-
-std::array<Histogram, digits> count_digits(const std::vector<Key>& keys) {
-  std::array<Histogram, digits> counts{};
-  for (const Key key : keys) {
-    for (int d = 0; d < digits; ++d) {
-      ++counts[d][digit(key, d)];
-    }
-  }
-  return counts;
-}
-
 // One axis of the domain.
 struct Axis {
   double first, last, scale;
-  [[nodiscard]] bool holds(double v) const { return v >= first && v <= last; }
-  [[nodiscard]] std::int32_t cell(double v) const {
+  [[nodiscard]] bool holds(double v) const { return (v >= first) & (v <= last); }
+  // Defined for any v, so that a whole pass may run before somebody looks for strays.
+  [[nodiscard]] std::uint32_t cell(double v) const {
     constexpr double last_cell = 0x1p31 - 1;
     const double q = (v - first) * scale;
-    return static_cast<std::int32_t>(q < last_cell ? q : last_cell);
+    const double not_below = q > 0 ? q : 0;
+    return static_cast<std::uint32_t>(
+        static_cast<std::int64_t>(not_below < last_cell ? not_below : last_cell));
   }
 };
 
@@ -77,16 +60,12 @@ std::vector<Key> encode_points(Points points, const Domain& domain, int finest) 
   const std::uint32_t mask = ~std::uint32_t{0} << (max_level - finest);
   const std::size_t n = points.size();
   std::vector<Key> keys(n);
-  std::uint64_t outside = 0;
+  std::uint64_t strays = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const bool held = x.holds(points.x[i]) & y.holds(points.y[i]);
-    outside |= !held;
-    const double px = held ? points.x[i] : domain.x0;
-    const double py = held ? points.y[i] : domain.y0;
-    keys[i] = encode({static_cast<std::uint32_t>(x.cell(px)) & mask,
-                      static_cast<std::uint32_t>(y.cell(py)) & mask});
+    strays += static_cast<std::uint64_t>(!(x.holds(points.x[i]) & y.holds(points.y[i])));
+    keys[i] = encode({x.cell(points.x[i]) & mask, y.cell(points.y[i]) & mask});
   }
-  if (outside != 0) {
+  if (strays != 0) {
     std::size_t i = 0;
     while (x.holds(points.x[i]) && y.holds(points.y[i])) {
       ++i;
@@ -97,34 +76,6 @@ std::vector<Key> encode_points(Points points, const Domain& domain, int finest) 
 }
 
 }  // namespace
-
-void radix_sort(std::vector<Key>& keys, std::vector<std::uint32_t>& index) {
-  const std::size_t n = keys.size();
-  if (index.size() != n) {
-    throw std::invalid_argument("radix_sort: " + std::to_string(n) + " keys but " +
-                                std::to_string(index.size()) + " indices");
-  }
-  if (n < 2) {
-    return;
-  }
-  std::array<Histogram, digits> counts = count_digits(keys);
-  std::vector<Key> other_keys(n);
-  std::vector<std::uint32_t> other_index(n);
-  for (int d = 0; d < digits; ++d) {
-    Histogram& next = counts[d];
-    if (next[digit(keys[0], d)] == n) {
-      continue;
-    }
-    std::exclusive_scan(next.begin(), next.end(), next.begin(), std::uint32_t{0});
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t to = next[digit(keys[i], d)]++;
-      other_keys[to] = keys[i];
-      other_index[to] = index[i];
-    }
-    std::swap(keys, other_keys);
-    std::swap(index, other_index);
-  }
-}
 
 MortonOrder morton_order(Points points, const Domain& domain, int finest) {
   check_request(points, domain, finest);

@@ -37,10 +37,4 @@ struct MortonOrder {
 /// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), steps 4-5
 [[nodiscard]] MortonOrder morton_order(Points points, const Domain& domain, int finest = max_level);
 
-/// Sorts keys ascending and carries the indices along; stable.
-///
-/// cost    O(n) for each byte in which any two keys differ, least significant byte first; 12 bytes
-/// an element throws  std::invalid_argument if the sizes differ
-void radix_sort(std::vector<Key>& keys, std::vector<std::uint32_t>& index);
-
 }  // namespace vortree::tree

@@ -1,10 +1,12 @@
 #include "tree/points.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "tree/clouds.hpp"
+#include "tree/extent_kernel.hpp"
 
 using namespace vortree;
 using Catch::Matchers::Contains;
@@ -53,6 +55,20 @@ TEST_CASE(
       CHECK(domain.side * 0x1p-31 >= std::nextafter(far, 2 * far) - far);
       CHECK(domain.side <= far * 0x1p-20);
     }
+  }
+}
+
+TEST_CASE("the extent by whole numbers equals that by comparing doubles") {
+  test::Chance chance(61);
+  for (int n = 1; n < 200; ++n) {
+    std::vector<double> values(n);
+    for (double& v : values) {
+      v = (chance.real() - 0.5) * std::pow(10.0, chance.whole(-320, 308));
+      REQUIRE(tree::kernel::from_ordinal(tree::kernel::ordinal(v)) == v);
+    }
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    REQUIRE(tree::kernel::extent(values).low == *low);
+    REQUIRE(tree::kernel::extent(values).high == *high);
   }
 }
 

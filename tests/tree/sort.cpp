@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "tree/clouds.hpp"
+#include "tree/radix_sort.hpp"
 
 using namespace vortree;
 using Catch::Matchers::Contains;
@@ -46,9 +47,9 @@ std::uint32_t plain_cell(double v, double origin, double side, int finest) {
 TEST_CASE("radix sort equals std::stable_sort") {
   test::Chance chance(11);
   const tree::Key all = ~tree::Key{0};
-  for (const tree::Key mask :
-       {all, all >> 2, tree::Key{0}, tree::Key{1}, tree::Key{0xff00}, tree::Key{0xf00000000000000f},
-        tree::Key{7} << 61, tree::Key{0x3ff}}) {
+  for (const tree::Key mask : {all, all >> 2, tree::Key{0}, tree::Key{1}, tree::Key{0xff00},
+                               tree::Key{0xf00000000000000f}, tree::Key{7} << 61, tree::Key{0x3ff},
+                               tree::Key{0x3000000000003fff}, tree::Key{0xffff00000000}}) {
     for (const int n : {0, 1, 2, 3, 10, 63, 64, 65, 255, 1000, 5000}) {
       Pairs pairs = random_pairs(n, mask, chance);
       const Pairs expected = plainly_sorted(pairs);
