@@ -11,7 +11,7 @@ int terms_for(double tolerance, double ratio) {
   do {
     rest *= ratio;
     ++terms;
-  } while (rest > (terms + 2) * tolerance);
+  } while (rest > std::sqrt(terms + 1.0) * tolerance);
   return terms;
 }
 

@@ -10,13 +10,15 @@ namespace vortree::fmm {
 ///
 ///   |error| <= (sum |gamma_j| / d) ratio^p / (1 - ratio)
 ///
-/// if every source sat at the edge, in line with the target. Sources that fill their disk evenly have
-/// a mean |t|^p of 2/(p + 2) there, so terms are chosen for
+/// if every source sat at the edge, in line with the target. Sources that fill their disk evenly
+/// have a root mean square of |t|^p of (p + 1)^(-1/2) there, which is what counts where signs are
+/// mixed and velocities cancel. So terms are chosen for
 ///
-///   ratio^p / (1 - ratio) <= (p + 2) tolerance
+///   ratio^p / (1 - ratio) <= (p + 1)^(1/2) tolerance
 ///
-/// What is left in hand is the direction of the sources and the random sum of many cells' errors:
-/// the measured error stays several times below the tolerance (tests/fmm/tolerance_sweep.cpp).
+/// The directions of the sources and the random sum of many cells' errors are left in hand: clouds
+/// keep ten to twenty times below the tolerance, lattices and points in the corners of their cells
+/// still below it (tests/fmm/tolerance_sweep.cpp, hard_cases.cpp).
 
 /// Terms that keep a tolerance at a ratio in [0, 1).
 [[nodiscard]] int terms_for(double tolerance, double ratio);

@@ -14,6 +14,8 @@
 namespace vortree::fmm {
 namespace {
 
+constexpr double least_tolerance = 1e-16;  // nothing is gained by asking for less
+
 void check(const Options& options) {
   if (!(options.tolerance > 0.0 && options.tolerance < 1.0)) {
     throw std::invalid_argument("tolerance is " + std::to_string(options.tolerance) +
@@ -63,12 +65,9 @@ std::vector<double> sorted(const tree::Quadtree& tree, std::span<const double> g
   return result;
 }
 
-Acceptance acceptance(const Options& options, bool with_cores) {
-  const double tolerance = std::max(options.tolerance, 1e-16);
-  return {
-      .order = options.order > 0 ? Order::fixed(options.order) : Order::for_tolerance(tolerance),
-      .reach2 = with_cores ? std::log(1.0 / tolerance) : 0.0,
-      .cores = options.cores};
+Order choose_order(const Options& options) {
+  return options.order > 0 ? Order::fixed(options.order)
+                           : Order::for_tolerance(std::max(options.tolerance, least_tolerance));
 }
 
 bool any_core(const SortedPoints& points) {
@@ -84,9 +83,15 @@ Plan::Plan(const Blobs& blobs, const Options& options)
       points_(sorted(tree_, Targets{blobs.x, blobs.y, blobs.sigma}, units_)),
       gamma_(sorted(tree_, blobs.gamma, units_)),
       shapes_(tree_, points_) {
-  bare_ = acceptance(options_, false);
-  cored_ = acceptance(options_, any_core(points_));
-  multipoles_ = Multipoles(tree_, shapes_, points_, gamma_, bare_.order.most());
+  order_ = choose_order(options_);
+  cored_ = any_core(points_);
+  multipoles_ = Multipoles(tree_, shapes_, points_, gamma_, order_.most());
+}
+
+Acceptance Plan::acceptance(bool cored) const {
+  const double tolerance = std::max(options_.tolerance, least_tolerance);
+  return {
+      .order = order_, .reach2 = cored ? std::log(1.0 / tolerance) : 0.0, .cores = options_.cores};
 }
 
 SourceSide Plan::sources() const {
@@ -95,33 +100,34 @@ SourceSide Plan::sources() const {
 
 void Plan::velocity(std::span<double> u, std::span<double> v) const {
   check_result(size(), u, v);
-  evaluate(sources(), {tree_, shapes_, points_}, cored_, options_.tolerance, u, v);
+  evaluate(sources(), {tree_, shapes_, points_}, acceptance(cored_), options_.tolerance, u, v);
   units_.to_velocity(u);
   units_.to_velocity(v);
 }
 
-void Plan::velocity_at(const Targets& targets, const Acceptance& acceptance, std::span<double> u,
+void Plan::velocity_at(const Targets& targets, bool bare, std::span<double> u,
                        std::span<double> v) const {
   fmm::check(targets);
   check_result(targets.size(), u, v);
   const tree::Quadtree tree = build({targets.x, targets.y}, options_);
   const SortedPoints points = sorted(tree, targets, units_);
   const CellShapes shapes(tree, points);
-  evaluate(sources(), {tree, shapes, points}, acceptance, options_.tolerance, u, v);
+  const bool cored = cored_ || (options_.cores == Cores::mean && any_core(points));
+  evaluate(sources(), {tree, shapes, points}, acceptance(cored && !bare), options_.tolerance, u, v);
   units_.to_velocity(u);
   units_.to_velocity(v);
 }
 
 void Plan::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
-  velocity_at(targets, cored_, u, v);
+  velocity_at(targets, false, u, v);
 }
 
 void Plan::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {
-  velocity_at({targets.x, targets.y, {}}, bare_, u, v);
+  velocity_at({targets.x, targets.y, {}}, true, u, v);
 }
 
 Work Plan::work() const {
-  return count_work(sources(), {tree_, shapes_, points_}, cored_);
+  return count_work(sources(), {tree_, shapes_, points_}, acceptance(cored_));
 }
 
 std::size_t Plan::bytes() const {

@@ -59,7 +59,7 @@ class Plan {
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   /// The most terms any multipole is evaluated with.
-  [[nodiscard]] int order() const { return cored_.order.most(); }
+  [[nodiscard]] int order() const { return order_.most(); }
   [[nodiscard]] std::uint32_t capacity() const { return options_.capacity; }
   [[nodiscard]] const tree::Quadtree& tree() const { return tree_; }
   /// What velocity(u, v) computes, counted by walking again.
@@ -69,12 +69,14 @@ class Plan {
 
  private:
   [[nodiscard]] SourceSide sources() const;
-  void velocity_at(const Targets& targets, const Acceptance& acceptance, std::span<double> u,
+  [[nodiscard]] Acceptance acceptance(bool cored) const;
+  void velocity_at(const Targets& targets, bool bare, std::span<double> u,
                    std::span<double> v) const;
 
   Options options_;
   Units units_;
-  Acceptance cored_, bare_;
+  Order order_;
+  bool cored_ = false;  // any source has a core
   tree::Quadtree tree_;
   SortedPoints points_;
   std::vector<double> gamma_;

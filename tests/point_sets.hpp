@@ -76,8 +76,7 @@ inline void add_square(PointSet& set, std::size_t n, Uniform& uniform) {
 /// Stratified, so that the points stay apart in double.
 inline void add_segment(PointSet& set, std::size_t n, Uniform& uniform) {
   for (std::size_t i = 0; i < n; ++i) {
-    const double t =
-        (static_cast<double>(i) + 0.8 * uniform()) / static_cast<double>(n) * 1e-6;
+    const double t = (static_cast<double>(i) + 0.8 * uniform()) / static_cast<double>(n) * 1e-6;
     add(set, 0.3 + t * (std::numbers::sqrt3 / 2), 0.7 + t * 0.5);
   }
 }

@@ -52,9 +52,9 @@ inline Exact exact_velocity(const fmm::Blobs& blobs, const fmm::Targets& targets
 }
 
 struct Error {
-  double relative_l2;    // ||u - exact||_2 / ||exact||_2
-  double percentile99;   // of |u - exact| / sum |contributions|
-  double largest;        // the same, at the worst target
+  double relative_l2;   // ||u - exact||_2 / ||exact||_2
+  double percentile99;  // of |u - exact| / sum |contributions|
+  double largest;       // the same, at the worst target
 };
 
 /// u and v at the targets that `exact` holds.
@@ -71,8 +71,7 @@ inline Error error_of(std::span<const double> u, std::span<const double> v, cons
   }
   std::ranges::sort(local);
   return {static_cast<double>(std::sqrt(wrong / whole)),
-          local.empty() ? 0.0 : local[local.size() * 99 / 100],
-          local.empty() ? 0.0 : local.back()};
+          local.empty() ? 0.0 : local[local.size() * 99 / 100], local.empty() ? 0.0 : local.back()};
 }
 
 /// Every `stride`-th value: the sets are shuffled, so these are random targets.

@@ -26,7 +26,7 @@ double core_once(double q) {
 template <class Exp>
 double worst_core_error() {
   double worst = 0.0;
-  for (double q = 1e-300; q < 1e300; q *= q > 1e-20 && q < 1000 ? 1.0003 : 1.7) {
+  for (double q = 1e-300; q<1e300; q *= q> 1e-20 && q < 1000 ? 1.0003 : 1.7) {
     const long double exact = -std::expm1(-static_cast<long double>(q));
     worst = std::max(worst, std::abs(static_cast<double>(core_once<Exp>(q) / exact - 1)));
   }
