@@ -1,0 +1,44 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <stdexcept>
+
+#include "vortex/shape.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+class Circle final : public Shape {
+ public:
+  Circle(Vec2 centre, double radius) : centre_(centre), radius_(radius) {}
+
+  double perimeter() const override { return 2 * std::numbers::pi * radius_; }
+
+  Vec2 point(double arc) const override {
+    const double theta = arc / radius_;
+    return {centre_.x + radius_ * std::cos(theta), centre_.y + radius_ * std::sin(theta)};
+  }
+
+  WallPoint nearest(Vec2 at) const override {
+    const Vec2 d = at - centre_;
+    const double r = std::hypot(d.x, d.y);
+    double theta = std::atan2(d.y, d.x);
+    if (theta < 0) theta += 2 * std::numbers::pi;
+    const Vec2 normal = r > 0 ? (1 / r) * d : Vec2{1, 0};
+    return {theta * radius_, r - radius_, normal, 1 / radius_};
+  }
+
+ private:
+  Vec2 centre_;
+  double radius_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> circle(Vec2 centre, double radius) {
+  if (!(radius > 0 && std::isfinite(radius)))
+    throw std::invalid_argument(fmt::format("radius of the circle is {}; must be > 0", radius));
+  return std::make_unique<Circle>(centre, radius);
+}
+
+}  // namespace vortree::vortex

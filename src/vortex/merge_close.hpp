@@ -1,0 +1,33 @@
+#pragma once
+
+#include "vortex/acting.hpp"
+
+namespace vortree::vortex {
+
+/// How close blobs are merged.
+///
+/// tolerance   velocity error allowed for a merger [m/s]; 0: never merge
+/// reach       partners are closer than this many of the smaller core
+/// sigma_max   the widest core a merger may leave [m]
+/// rounds      of mergers in one call
+struct Merging {
+  double tolerance;
+  double reach = 2;
+  double sigma_max;
+  int rounds = 3;
+};
+
+/// Merges pairs of like sign, each the other's best partner:
+///
+///   gamma = sum gamma_i,   x = sum gamma_i x_i/gamma,   sigma^2 = sum gamma_i (sigma_i^2 + |x_i - x|^2)/gamma,
+///   allowed if |g1 g2/(g1 + g2)| (d^2 + |sigma_1^2 - sigma_2^2|) <= tolerance min(sigma)^3,   d = |x_1 - x_2|.
+///
+/// The left side is the moment that the pair and the merged blob differ in; divided by sigma^3 it is the
+/// velocity error at a distance of a core. Conserves circulation, impulse and second moment; next to a
+/// wall x is the acting position and only the spread across the wall widens the core (2 g1 g2 d_n^2/gamma^2
+/// in place of d^2), so that merging along the wall diffuses nothing away from it.
+/// Mutual choice needs no order of the blobs: the result depends neither on threads nor on numbering.
+/// cost    O(blobs times partners within reach)
+void merge_close(Blobs& blobs, const Merging& merging, const Shape* wall);
+
+}  // namespace vortree::vortex

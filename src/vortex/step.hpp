@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "vortex/convect.hpp"
+#include "vortex/invariants.hpp"
+#include "vortex/merge_close.hpp"
+#include "vortex/split_wide.hpp"
+#include "vortex/wall.hpp"
+
+namespace vortree::vortex {
+
+/// stream  undisturbed velocity [m/s]; nu viscosity [m^2/s], 0: no diffusion, splitting or merging
+struct Flow {
+  Vec2 stream;
+  double nu;
+};
+
+/// What a step needs to know, besides the blobs.
+///
+/// wall      nullptr: free space
+/// sigma_0   core of blobs released at the wall [m]
+struct Problem {
+  Flow flow;
+  double dt;
+  Scheme scheme = Scheme::rk2;
+  double sigma_0;
+  Splitting splitting;
+  Merging merging;
+  const Wall* wall = nullptr;
+  const Velocity* velocity;
+};
+
+/// What one step leaves beside the blobs; empty without a wall.
+///
+/// sheet     released at the end of the step [m/s], a value a panel
+/// moment    sum gamma X of blobs and sheet before the release; forces are its rate of change
+struct Wake {
+  std::vector<double> sheet;
+  Vec2 moment;
+};
+
+/// Called with the name of each phase as it begins, for whoever keeps the time.
+using Phase = std::function<void(std::string_view name)>;
+
+/// The impulsive start: the sheet that cancels the slip of stream and blobs at t = 0, released.
+Wake start(Blobs& blobs, const Problem& problem);
+
+/// One step of length dt: convection, diffusion, release of wall vorticity, splitting, merging.
+Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const Phase& phase);
+
+/// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at rest.
+Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& problem);
+
+}  // namespace vortree::vortex

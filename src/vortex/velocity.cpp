@@ -1,0 +1,58 @@
+#include "vortex/velocity.hpp"
+
+#include "fmm/direct.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+class Boxes final : public Velocity {
+ public:
+  explicit Boxes(const fmm::Options& options) : options_(options) {}
+
+  void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets, Velocities& upon_blobs,
+                       Velocities& upon_targets) const override {
+    const fmm::Plan plan(blobs, options_);
+    plan.velocity(upon_blobs.u, upon_blobs.v);
+    plan.velocity_bare(bare_targets, upon_targets.u, upon_targets.v);
+  }
+
+  void upon(const fmm::Blobs& sources, tree::Points targets, Velocities& u) const override {
+    fmm::Options options = options_;
+    options.cores = fmm::Cores::source;
+    fmm::Plan(sources, options).velocity(fmm::Targets{targets.x, targets.y, {}}, u.u, u.v);
+  }
+
+ private:
+  fmm::Options options_;
+};
+
+class DirectSum final : public Velocity {
+ public:
+  explicit DirectSum(fmm::Cores cores) : cores_(cores) {}
+
+  void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets, Velocities& upon_blobs,
+                       Velocities& upon_targets) const override {
+    fmm::velocity_direct(blobs, {blobs.x, blobs.y, blobs.sigma}, cores_, upon_blobs.u,
+                         upon_blobs.v);
+    upon({blobs.x, blobs.y, blobs.gamma, {}}, bare_targets, upon_targets);
+  }
+
+  void upon(const fmm::Blobs& sources, tree::Points targets, Velocities& u) const override {
+    fmm::velocity_direct(sources, {targets.x, targets.y, {}}, fmm::Cores::source, u.u, u.v);
+  }
+
+ private:
+  fmm::Cores cores_;
+};
+
+}  // namespace
+
+std::unique_ptr<Velocity> velocity_by_boxes(const fmm::Options& options) {
+  return std::make_unique<Boxes>(options);
+}
+
+std::unique_ptr<Velocity> velocity_by_direct_sum(fmm::Cores cores) {
+  return std::make_unique<DirectSum>(cores);
+}
+
+}  // namespace vortree::vortex

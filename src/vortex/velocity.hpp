@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fmm/plan.hpp"
+
+namespace vortree::vortex {
+
+/// Velocities as two columns [m/s].
+struct Velocities {
+  std::vector<double> u, v;
+  explicit Velocities(std::size_t n = 0) : u(n), v(n) {}
+};
+
+/// How Biot-Savart sums are done. The solver cannot tell a fast method from the direct sum.
+class Velocity {
+ public:
+  virtual ~Velocity() = default;
+
+  /// Blobs upon themselves (cored), and the same circulations without cores upon other points:
+  /// what a step asks of the vorticity, in one evaluation.
+  virtual void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets,
+                               Velocities& upon_blobs, Velocities& upon_targets) const = 0;
+
+  /// Sources upon other points.
+  virtual void upon(const fmm::Blobs& sources, tree::Points targets, Velocities& u) const = 0;
+};
+
+std::unique_ptr<Velocity> velocity_by_boxes(const fmm::Options& options);
+std::unique_ptr<Velocity> velocity_by_direct_sum(fmm::Cores cores);
+
+}  // namespace vortree::vortex
