@@ -44,8 +44,7 @@ Quadtree build_forward(MortonOrder order, const SplitRule& must_split) {
     cells.push_back({0, 0, -1, {}, {0, static_cast<std::uint32_t>(order.keys.size())}});
   }
   for (std::uint32_t c = 0; c < cells.size(); ++c) {
-    const Block block{cells[c].level, order.domain.cell_side(cells[c].level),
-                      cells[c].points};
+    const Block block{cells[c].level, order.domain.cell_side(cells[c].level), cells[c].points};
     if (block.level < order.finest && must_split(block)) {
       split(c, order.keys, cells);
     }

@@ -8,8 +8,8 @@ namespace vortree::tree {
 /// Builds a tree from root to leaf: level by level, every cell that must split is cut into its
 /// occupied children by binary search of their ends in the sorted codes.
 ///
-///   child q of (key, l) holds the codes in [(4 key + q) 4^(31-l-1), (4 key + q + 1) 4^(31-l-1)), q
-///   = 0..3
+///   child q of (key, l) holds the codes from (4 key + q) 4^(30-l) on that are below
+///   (4 key + q + 1) 4^(30-l),   q = 0..3
 ///
 /// A block at level order.finest never splits. Equal to build_reverse for every monotone rule.
 ///

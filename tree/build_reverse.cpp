@@ -55,9 +55,8 @@ class Climber {
     return {level, domain_.cell_side(level), {block.points.first, last}};
   }
 
-  // A cell that need not split and begins at `first`: of the given level, or as little below as can
-  // be had in steps that double, down to the finest. `refused` becomes the last level that must
-  // split.
+  // A cell that begins at `first` and need not split: of the given level or below, tried in steps
+  // that double, down to the finest. Sets `refused` to the last level at which it had to split.
   [[nodiscard]] Block footing(std::uint32_t first, int level, int& refused) const {
     for (int step = 1;; step *= 2) {
       const Block block = grown({level, 0, {first, first}}, level);
@@ -69,7 +68,7 @@ class Climber {
     }
   }
 
-  // The coarsest level at and above a block, not above `low`, at which its points, alone in their
+  // The coarsest level, from `low` down to its own, at which the points of a block, alone in their
   // cell, need not split.
   [[nodiscard]] int coarsest(int low, const Block& block) const {
     int high = block.level;

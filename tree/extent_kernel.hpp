@@ -9,8 +9,7 @@
 /// The extent of many numbers; the plain twin in tests/tree/points.cpp is std::minmax_element.
 namespace vortree::tree::kernel {
 
-/// A whole number that orders doubles as < does, with -0 before +0 and every NaN beyond the
-/// infinities.
+/// A whole number that orders doubles as < does, -0 before +0 and NaNs beyond the infinities.
 [[nodiscard]] constexpr std::int64_t ordinal(double value) {
   const auto bits = std::bit_cast<std::int64_t>(value);
   return bits ^ (bits >> 63 & std::numeric_limits<std::int64_t>::max());
@@ -25,9 +24,8 @@ struct Extent {
   double low, high;
 };
 
-/// Least and greatest of at least one value. A NaN among them becomes one of the two, by its sign:
-/// unlike minima of doubles, minima of whole numbers may be taken in any order, hence many at a
-/// time.
+/// Least and greatest of at least one value. A NaN among them becomes one of the two, by its sign.
+/// Unlike minima of doubles, minima of whole numbers may be taken in any order: many at a time.
 [[nodiscard]] inline Extent extent(std::span<const double> values) {
   std::int64_t low = ordinal(values[0]), high = low;
   for (const double value : values) {

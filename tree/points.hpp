@@ -6,8 +6,8 @@
 
 namespace vortree::tree {
 
-/// Positions of n points in the plane [m]; x and y are equally long. A view: the arrays stay with
-/// their owner.
+/// Positions of n points in the plane [m]; x and y are equally long. A view: whoever made the
+/// arrays keeps them.
 struct Points {
   std::span<const double> x, y;
   [[nodiscard]] std::size_t size() const { return x.size(); }
@@ -31,8 +31,7 @@ struct Domain {
   bool operator==(const Domain&) const = default;
 };
 
-/// The largest magnitude of a coordinate that a domain is built for; beyond it, corners might
-/// overflow.
+/// The largest magnitude of a coordinate that a domain is built for: its corners cannot overflow.
 inline constexpr double largest_coordinate = 0x1p1020;
 
 /// The smallest square domain, a little enlarged, with its lower left corner at (min x, min y).
@@ -42,14 +41,13 @@ inline constexpr double largest_coordinate = 0x1p1020;
 ///
 /// The enlargement keeps the top and right points inside. The short significand makes the offset of
 /// every cell corner and centre, (2i + 1) side / 2^(l+1), exact down to level 31. The third term
-/// keeps a cell of level 31 at least as wide as the spacing of doubles, so that a cluster far from
-/// the origin, or a single place, still has cells whose centres can be told apart. All points at
-/// the origin, or no points: a unit square.
+/// keeps a cell of level 31 at least as wide as the spacing of doubles: a cluster far from the
+/// origin, or a single place, still has cells whose centres can be told apart.
+/// Without points, or with all of them at the origin: the unit square.
 ///
 /// cost    O(n)
 /// throws  std::invalid_argument if the sizes of x and y differ, or naming the first coordinate
-/// (and
-///         its index) that is not finite or exceeds largest_coordinate
+///         (and its index) that is not finite or exceeds largest_coordinate
 /// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), step 1
 [[nodiscard]] Domain enclose(Points points);
 

@@ -32,11 +32,10 @@ struct Centre {
 };
 
 /// A tree of square cells over points in Morton order. Built once (build_forward, build_reverse),
-/// then never changed; trees over the same points are equal if every cell, key and index is.
+/// then never changed; two trees are equal if every cell, key and index is.
 ///
 /// - Only occupied cells are stored, in level order, by Morton code within a level; cell 0 is the
-/// root.
-///   No points, no cells.
+///   root. No points, no cells.
 /// - The points of a cell are those of its children, one after the other; the childless cells
 ///   partition the points.
 /// - A cell of level l has side domain().side / 2^l.
@@ -44,14 +43,12 @@ class Quadtree {
  public:
   Quadtree() = default;
 
-  /// The tree over `order` with the given cells; builders end here, and the promises above are
-  /// checked.
+  /// The tree over `order` with the given cells in level order. Builders end here, and the promises
+  /// above are checked.
   ///
-  /// cells   all cells in level order
   /// cost    O(cells)
   /// throws  std::invalid_argument if keys and index of the order differ in size, or naming the
-  /// first cell that
-  ///         breaks the tree
+  ///         first cell that breaks the tree
   Quadtree(MortonOrder order, std::vector<Cell> cells);
 
   [[nodiscard]] const Domain& domain() const { return order_.domain; }
@@ -66,16 +63,14 @@ class Quadtree {
   /// Numbers of the childless cells in Morton order, hence in the order of their points.
   [[nodiscard]] std::span<const std::uint32_t> childless() const { return childless_; }
 
-  /// order()[j] is the input position of the j-th point in Morton order; keys()[j] its level-31
-  /// code.
+  /// order()[j] is the input position of the j-th point in Morton order, keys()[j] its code.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return order_.index; }
   [[nodiscard]] std::span<const Key> keys() const { return order_.keys; }
 
   /// domain().side / 2^level: exact.
   [[nodiscard]] double side(int level) const { return domain().cell_side(level); }
   /// (x0 + (2 ix + 1) side / 2, y0 + (2 iy + 1) side / 2). With a domain from enclose() this is the
-  /// exact centre rounded once, so the centres of parent and child differ by side(parent)/4 within
-  /// one rounding.
+  /// exact centre rounded once: centres of parent and child differ by side(parent)/4 but for that.
   [[nodiscard]] Centre centre(const Cell& cell) const;
 
   bool operator==(const Quadtree&) const = default;

@@ -6,7 +6,8 @@
 #include "tree/morton.hpp"
 #include "tree/points.hpp"
 
-/// Searches in ascending codes without branches to mispredict; their plain twin is std::lower_bound.
+/// Searches in ascending codes, without branches to mispredict; their plain twin is
+/// std::lower_bound.
 namespace vortree::tree::kernel {
 
 /// The first position in `within` whose key is not less than `bound`; within.last if there is none.
@@ -21,8 +22,9 @@ namespace vortree::tree::kernel {
   return static_cast<std::uint32_t>(base - keys.data());
 }
 
-/// The same from `from` to the end of the keys, in O(log distance): steps double until they overshoot.
-[[nodiscard]] inline std::uint32_t gallop(std::span<const Key> keys, std::uint32_t from, Key bound) {
+/// The same from `from` to the end of the keys, in O(log distance): steps double until one is past.
+[[nodiscard]] inline std::uint32_t gallop(std::span<const Key> keys, std::uint32_t from,
+                                          Key bound) {
   const std::size_t n = keys.size();
   std::size_t low = from, step = 16;
   while (low + step < n && keys[low + step] < bound) {

@@ -18,16 +18,16 @@ struct Block {
 /// The one question that shapes a tree: must this block split?
 ///
 /// A rule must be a function of the block alone, and monotone: if a block need not split, none of
-/// the blocks inside it must. Then the tree is unique, whichever way it is walked. Blocks always
-/// hold points.
+/// the blocks inside it must. Then the tree is unique, whichever way it is walked. A block always
+/// holds points.
 using SplitRule = std::function<bool(const Block&)>;
 
 /// A block must split if it holds more than n_ctrl points. What the FMM asks.
 ///
 /// cost    O(1) a question
 /// throws  std::invalid_argument if n_ctrl is 0
-/// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), step 2 ("no more than N_ctrl" stay
-/// together)
+/// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), step 2: "no more than N_ctrl" in a
+/// cell
 [[nodiscard]] SplitRule crowded(std::uint32_t n_ctrl);
 
 /// A block must split if half its side still spans the smallest reach inside:
@@ -41,18 +41,16 @@ using SplitRule = std::function<bool(const Block&)>;
 /// cost    O(log n) a question; 8.6 bytes a point
 /// throws  std::invalid_argument naming the first reach that is negative or not finite; when asked,
 ///         if a block has points beyond the reaches given
-/// source  Khorasanizade & Sousa 2019, quadtree cells grid: each particle in a cell of its own
-/// resolution
+/// source  Khorasanizade & Sousa 2019, quadtree cells grid: particles in cells of their own size
 [[nodiscard]] SplitRule roomy(std::span<const double> reach);
 
-/// The same with one reach for all points [m]: cells stay wider than reach, as far as splitting
-/// goes.
+/// The same with one reach for all points [m]: no cell is cut into children narrower than that.
 [[nodiscard]] SplitRule roomy(double reach);
 
 /// A block must split if a or b says so. Monotone if both are.
 [[nodiscard]] SplitRule either(SplitRule a, SplitRule b);
 
-/// A block must split if a and b say so: splitting ends as soon as one is content. Monotone if both
+/// A block must split if both a and b say so: it may rest when one is content. Monotone if both
 /// are.
 [[nodiscard]] SplitRule both(SplitRule a, SplitRule b);
 

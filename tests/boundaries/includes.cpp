@@ -25,7 +25,8 @@ const std::string anything = "*";
 const std::map<std::string, Permit>& permits() {
   static const std::map<std::string, Permit> permits{
       {"tree", {{"tree"}, {}}},
-      {"fmm", {{"fmm", "tree"}, {}}},
+      // Large pages can only be asked of the operating system.
+      {"fmm", {{"fmm", "tree"}, {"sys/mman.h"}}},
       {"exact", {{"exact"}, {}}},
       {"vortex", {{"vortex", "fmm", "tree", "exact"}, {"Eigen/"}}},
       {"sph", {{"sph", "tree"}, {"Eigen/"}}},

@@ -7,10 +7,10 @@
 
 /// Who may include whom. Dependencies run one way,
 ///
-///   cases -> src -> fmm -> tree -> std,   src/sph -> tree,   src/vortex and src/sph never see each
-///   other,
+///   cases -> src -> fmm -> tree -> std,   src/sph -> tree,
 ///
-/// and this reads the `#include` lines of a source tree for arrows against the stream.
+/// src/vortex and src/sph never see each other, and this reads the `#include` lines of a source
+/// tree for arrows against the stream.
 namespace vortree::test {
 
 /// One `#include` line: the file that holds it, relative to the root of the source tree, its line
@@ -22,8 +22,7 @@ struct Include {
   bool quoted = true;
 };
 
-/// The part of the house that a file belongs to: "tree", "fmm", "vortex", ..., "tests", "cases";
-/// empty if none.
+/// The part of the house that a file belongs to: "tree", "vortex", "tests" ...; empty if none.
 std::string part_of(std::string_view file);
 
 /// All includes in the text of a file.
@@ -32,8 +31,8 @@ std::vector<Include> includes_in(const std::string& file, std::string_view text)
 /// What is wrong with an include, as `file:line: words`; empty if it is allowed.
 std::string objection(const Include& include);
 
-/// The objections to all C++ files below a root, hidden and build folders left out; also counts the
-/// files.
+/// The objections to all C++ files below a root (hidden and build folders left out), and their
+/// number.
 std::vector<std::string> objections_below(const std::filesystem::path& root, int& files_read);
 
 }  // namespace vortree::test

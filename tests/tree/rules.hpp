@@ -25,8 +25,8 @@ inline std::vector<double> random_reach(std::size_t n, double side, Chance& chan
 }
 
 /// A rule of the test's own: every point wants its cell to be at least so deep. Any tree of
-/// occupied cells can come out of it, chains included; it is monotone since the deepest wish in a
-/// block only falls inside it.
+/// occupied cells can come out of it, chains included. Monotone: inside a block the deepest wish
+/// only falls.
 inline tree::SplitRule wishes(std::vector<int> level) {
   return [level = std::move(level)](const tree::Block& block) {
     const auto first = level.begin() + block.points.first, last = level.begin() + block.points.last;
