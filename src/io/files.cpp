@@ -1,5 +1,6 @@
 #include "io/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,6 +13,19 @@
 
 namespace vortree::io {
 namespace fs = std::filesystem;
+
+namespace {
+
+/// Beside the file, so that a rename can put it in its place; no other process has that name.
+fs::path fresh_name(const fs::path& path) {
+  return path.string() + fmt::format(".{}.part", ::getpid());
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+}  // namespace
 
 void require_file(const fs::path& path) {
   std::error_code error;
@@ -40,19 +54,19 @@ void require_writable(const fs::path& path) {
   if (fs::is_directory(path, error)) {
     throw InputError(fmt::format("{} is a folder; a file was expected", path.string()));
   }
-  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  const fs::file_status status = fs::status(folder, error);
-  if (status.type() == fs::file_type::directory) {
-    if (::access(folder.c_str(), W_OK) == 0) return;
-    throw InputError(fmt::format("{} cannot be written: no right to write in the folder {} ({})",
-                                 path.string(), folder.string(), std::strerror(errno)));
+  // Rights, quotas and file systems that cannot be written: only an attempt knows them all.
+  const fs::path trial = fresh_name(path);
+  const int descriptor = ::open(trial.c_str(), O_WRONLY | O_CREAT, 0666);
+  if (descriptor < 0) {
+    throw InputError(fmt::format("{} cannot be written in the folder {}: {}", path.string(),
+                                 folder_of(path).string(), std::strerror(errno)));
   }
-  throw InputError(fmt::format("{} cannot be written: {} is {}", path.string(), folder.string(),
-                               fs::exists(status) ? "not a folder" : "no folder that exists"));
+  ::close(descriptor);
+  fs::remove(trial, error);
 }
 
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path fresh = path.string() + fmt::format(".{}.part", ::getpid());
+  const fs::path fresh = fresh_name(path);
   try {
     write(fresh);
     fs::rename(fresh, path);

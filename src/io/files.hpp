@@ -22,7 +22,7 @@ void replace_file(const std::filesystem::path& path,
 /// throws  InputError unless there is a regular file of that name
 void require_file(const std::filesystem::path&);
 
-/// throws  InputError unless a file of that name can be written: no folder, not a folder, no right
+/// throws  InputError unless a file of that name can be written: no such folder, no right, ...
 void require_writable(const std::filesystem::path&);
 
 }  // namespace vortree::io

@@ -84,7 +84,10 @@ bool is_hdf5(const std::filesystem::path& path) {
 
 Handle open_file(const std::filesystem::path& path, unsigned flags) {
   silence();
-  return own(H5Fopen(path.c_str(), flags, unlocked()), path.string() + " cannot be opened");
+  const Handle access = unlocked();
+  // What is added from here on has checked headers: HDF5 itself may crash on a damaged older one.
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST), "a property list");
+  return own(H5Fopen(path.c_str(), flags, access), path.string() + " cannot be opened");
 }
 
 Handle create_file(const std::filesystem::path& path, hid_t creation) {

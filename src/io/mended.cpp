@@ -40,8 +40,9 @@ std::optional<std::uint64_t> promised_bytes(const fs::path& path) {
   return bytes;
 }
 
-/// A copy beside the file, or where the system keeps such things; filled up with zeros.
-std::pair<TemporaryFile, fs::path> filled_up(const fs::path& path, std::uint64_t bytes) {
+/// A copy beside the file, or where the system keeps such things.
+/// throws  std::runtime_error if there is no room for it
+std::pair<TemporaryFile, fs::path> copied(const fs::path& path) {
   std::error_code error;
   const std::string name = fmt::format("{}.{}.mended", path.filename().string(), ::getpid());
   for (const fs::path& folder : {path.parent_path(), fs::temp_directory_path(error)}) {
@@ -49,8 +50,7 @@ std::pair<TemporaryFile, fs::path> filled_up(const fs::path& path, std::uint64_t
     TemporaryFile guard(copy);
     if (!fs::copy_file(path, copy, fs::copy_options::overwrite_existing, error)) continue;
     fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add, error);
-    fs::resize_file(copy, bytes, error);
-    if (!error) return {std::move(guard), copy};
+    return {std::move(guard), copy};
   }
   throw std::runtime_error(fmt::format("{} is cut short, and there is no room for a copy: {}",
                                        path.string(), error.message()));
@@ -75,11 +75,19 @@ MendedFile open_mended(const fs::path& path) {
   }
   if (bytes < *promised) {
     opened.wound = fmt::format("is cut short at byte {} of {}", bytes, *promised);
-    std::tie(opened.copy, readable) = filled_up(path, *promised);
+    std::tie(opened.copy, readable) = copied(path);
+    std::error_code error;
+    fs::resize_file(readable, *promised, error);
+    if (error) {
+      opened.wound = fmt::format("is damaged at its beginning: it claims {} bytes", *promised);
+      return opened;
+    }
   }
   try {
     opened.file = h5::open_file(readable);
+    (void)h5::links(opened.file);
   } catch (const h5::Failure&) {
+    opened.file.close();
     if (opened.wound.empty()) opened.wound = "is damaged at its beginning";
   }
   return opened;

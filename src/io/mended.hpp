@@ -28,7 +28,7 @@ class TemporaryFile {
 /// An HDF5 file opened for reading whatever is left of it.
 struct MendedFile {
   TemporaryFile copy;   ///< holds the mended copy of a cut file; declared first: removed last
-  h5::Handle file;      ///< invalid if nothing can be read at all
+  h5::Handle file;      ///< invalid if not even its list of names can be read
   std::string wound{};  ///< "is cut short: byte 10 of 20", or empty
 };
 

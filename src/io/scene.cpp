@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "io/files.hpp"
+#include "io/quote.hpp"
 #include "io/scene_document.hpp"
 #include "io/scene_reader.hpp"
 
@@ -20,8 +21,8 @@ void require_reference(const Document& document, const Scene& scene, std::string
   if (!written) return;
   const std::filesystem::path path = reference_path(scene, *written);
   if (!std::filesystem::is_regular_file(path)) {
-    document.refuse(key,
-                    fmt::format("{} is \"{}\"; there is no file {}", key, *written, path.string()));
+    document.refuse(
+        key, fmt::format("{} is {}; there is no file {}", key, quote(*written), path.string()));
   }
 }
 

@@ -35,9 +35,6 @@ toml::table parse_value(const std::string& override, std::string_view value) {
   if (value.empty()) {
     throw InputError(fmt::format("command line: {}: there is no value behind the =", override));
   }
-  if (value.find('\n') != std::string_view::npos) {
-    throw InputError(fmt::format("command line: {}: a value is one line", override));
-  }
   try {
     return toml::parse(fmt::format("value = {}", value), std::string_view());
   } catch (const toml::parse_error& error) {
@@ -79,6 +76,10 @@ Document::Document(std::string_view text, std::filesystem::path path,
 }
 
 void Document::lay_over(const std::string& override) {
+  if (override.find('\n') != std::string::npos) {
+    throw InputError(fmt::format("command line: {}...: an override is one line",
+                                 override.substr(0, override.find('\n'))));
+  }
   const std::size_t equals = override.find('=');
   std::string key = override.substr(0, equals);
   key.erase(key.find_last_not_of(' ') + 1);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/nearest.hpp"
+#include "io/quote.hpp"
 #include "io/scene_schema.hpp"
 
 namespace vortree::io {
@@ -100,7 +101,7 @@ void read(const Value& value, E& target, const Rule& rule) {
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
     value.refuse(value.name,
-                 fmt::format("{} is \"{}\"; known: {}", value.name, text, listed(words)));
+                 fmt::format("{} is {}; known: {}", value.name, quote(text), listed(words)));
   }
   target = static_cast<E>(found - words.begin());
 }
