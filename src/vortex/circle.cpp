@@ -1,7 +1,7 @@
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 #include "vortex/shape.hpp"
 
@@ -37,7 +37,7 @@ class Circle final : public Shape {
 
 std::unique_ptr<Shape> circle(Vec2 centre, double radius) {
   if (!(radius > 0 && std::isfinite(radius)))
-    throw std::invalid_argument(fmt::format("radius of the circle is {}; must be > 0", radius));
+    throw std::invalid_argument("radius of the circle is " + std::to_string(radius) + "; must be > 0");
   return std::make_unique<Circle>(centre, radius);
 }
 

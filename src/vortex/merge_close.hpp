@@ -9,12 +9,10 @@ namespace vortree::vortex {
 /// tolerance   velocity error allowed for a merger [m/s]; 0: never merge
 /// reach       partners are closer than this many of the smaller core
 /// sigma_max   the widest core a merger may leave [m]
-/// rounds      of mergers in one call
 struct Merging {
   double tolerance;
   double reach = 2;
   double sigma_max;
-  int rounds = 3;
 };
 
 /// Merges pairs of like sign, each the other's best partner:
@@ -26,8 +24,10 @@ struct Merging {
 /// velocity error at a distance of a core. Conserves circulation, impulse and second moment; next to a
 /// wall x is the acting position and only the spread across the wall widens the core (2 g1 g2 d_n^2/gamma^2
 /// in place of d^2), so that merging along the wall diffuses nothing away from it.
-/// Mutual choice needs no order of the blobs: the result depends neither on threads nor on numbering.
-/// cost    O(blobs times partners within reach)
+/// Repeated until no pair is left. Mutual choice needs no order of the blobs, so that the mirror image of
+/// a flow merges into its mirror image, whatever the numbering and the threads.
+/// The blobs come out sorted by place.
+/// cost    O(blobs times candidates within reach) once, then only around what has merged
 void merge_close(Blobs& blobs, const Merging& merging, const Shape* wall);
 
 }  // namespace vortree::vortex

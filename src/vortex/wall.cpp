@@ -1,9 +1,9 @@
 #include "vortex/wall.hpp"
 
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 namespace vortree::vortex {
 namespace {
@@ -69,7 +69,7 @@ std::vector<double> sheet_equations(const Shape& shape, const std::vector<Vec2>&
 
 Wall::Wall(std::unique_ptr<Shape> shape, int panels) : shape_(std::move(shape)) {
   if (panels < 8)
-    throw std::invalid_argument(fmt::format("{} panels; a wall needs at least 8", panels));
+    throw std::invalid_argument(std::to_string(panels) + " panels; a wall needs at least 8");
   length_ = shape_->perimeter() / panels;
   for (int i = 0; i < panels; ++i) {
     edge_.push_back(shape_->point(i * length_));
