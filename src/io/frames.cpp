@@ -29,10 +29,25 @@ void require_equal_lengths(const Frame& frame) {
   }
 }
 
-void refresh_xdmf(const fs::path& dir, hid_t file) {
+fs::path xdmf_path(const fs::path& dir) {
+  return dir / "frames.xdmf";
+}
+
+void refresh_xdmf(const fs::path& dir) {
+  const h5::Handle file = h5::open_file(frames_path(dir));
   std::vector<FrameLabel> labels;
   for (const FramePlace& place : frame_places(file)) labels.push_back(read_label(file, place));
-  write_text(dir / "frames.xdmf", xdmf_text("frames.h5", labels));
+  write_text(xdmf_path(dir), xdmf_text("frames.h5", labels));
+}
+
+void continue_xdmf(const fs::path& dir, const Frame& frame) {
+  const FrameLabel label{.step = frame.step, .time = frame.time, .blobs = frame.x.size()};
+  std::string page = fs::exists(xdmf_path(dir)) ? read_text(xdmf_path(dir)) : "";
+  if (add_to_xdmf(page, "frames.h5", label)) {
+    write_text(xdmf_path(dir), page);
+  } else {
+    refresh_xdmf(dir);
+  }
 }
 
 /// Reads frames from the last to the first, so that the first good one met is the last.
@@ -95,7 +110,7 @@ void create_frames(const fs::path& dir, const RunInfo& info) {
   fs::create_directories(dir, error);
   require_writable(frames_path(dir));
   replace_file(frames_path(dir), [&](const fs::path& fresh) { write_empty_frames(fresh, info); });
-  write_text(dir / "frames.xdmf", xdmf_text("frames.h5", {}));
+  write_text(xdmf_path(dir), xdmf_text("frames.h5", {}));
 }
 
 void append_frame(const fs::path& dir, const Frame& frame) {
@@ -109,7 +124,7 @@ void append_frame(const fs::path& dir, const Frame& frame) {
     }
     write_frame(file, frame);
     h5::close_file(std::move(file), path);
-    refresh_xdmf(dir, h5::open_file(path));
+    continue_xdmf(dir, frame);
   } catch (const h5::Failure& failure) {
     throw std::runtime_error(fmt::format("{}: the frame of step {} cannot be saved ({})",
                                          path.string(), frame.step, failure.what()));
@@ -149,7 +164,7 @@ void rewind_frames(const fs::path& dir, std::int64_t step) {
     }
     h5::close_file(std::move(healthy), fresh);
   });
-  refresh_xdmf(dir, h5::open_file(path));
+  refresh_xdmf(dir);
 }
 
 }  // namespace vortree::io

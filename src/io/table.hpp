@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,22 +9,22 @@
 
 namespace vortree::io {
 
-/// A CSV of numbers: the header, then rows. Lines beginning with # and empty lines are skipped; an
-/// empty cell is NaN.
-struct Table {
-  std::filesystem::path path;
-  std::vector<std::string> columns;
-  std::vector<std::vector<double>> rows;
+/// A CSV file of numbers: one line of column names, then rows; lines that begin with # are notes.
+class Table {
+ public:
+  /// throws  InputError naming file and line if it is missing, or a row is not numbers, one a column
+  explicit Table(const std::filesystem::path& file);
 
-  /// One column by name. throws InputError naming the file and the columns there are.
-  [[nodiscard]] std::vector<double> column(const std::string& name) const;
+  std::size_t rows() const { return values_.size() / names_.size(); }
+  bool has(std::string_view column) const;
+
+  /// throws  InputError if there is no such column
+  std::vector<double> column(std::string_view name) const;
+
+ private:
+  std::filesystem::path file_;
+  std::vector<std::string> names_;
+  std::vector<double> values_;  // row by row
 };
-
-/// throws  InputError: no such file, no header, `file:line: ...` for a row with too few or too many
-///         cells or a cell that is no number
-[[nodiscard]] Table read_table(const std::filesystem::path&);
-
-/// The number a text spells from end to end ("nan" and "inf" too, blanks around it allowed).
-[[nodiscard]] std::optional<double> number(std::string_view text);
 
 }  // namespace vortree::io

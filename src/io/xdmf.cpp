@@ -5,6 +5,8 @@
 namespace vortree::io {
 namespace {
 
+constexpr std::string_view ending = "</Grid>\n</Domain>\n</Xdmf>\n";
+
 std::string column(std::string_view file, const FrameLabel& frame, std::string_view name) {
   return fmt::format(
       "<DataItem Dimensions=\"{}\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">"
@@ -40,6 +42,14 @@ std::string grid(std::string_view file, const FrameLabel& frame) {
 
 }  // namespace
 
+bool add_to_xdmf(std::string& page, std::string_view file, const FrameLabel& frame) {
+  if (!page.ends_with(ending)) return false;
+  page.resize(page.size() - ending.size());
+  if (frame.blobs > 0) page += grid(file, frame);
+  page += ending;
+  return true;
+}
+
 std::string xdmf_text(std::string_view file, std::span<const FrameLabel> frames) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
@@ -47,7 +57,7 @@ std::string xdmf_text(std::string_view file, std::span<const FrameLabel> frames)
   for (const FrameLabel& frame : frames) {
     if (frame.blobs > 0) text += grid(file, frame);
   }
-  return text + "</Grid>\n</Domain>\n</Xdmf>\n";
+  return text.append(ending);
 }
 
 }  // namespace vortree::io

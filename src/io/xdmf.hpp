@@ -14,4 +14,8 @@ namespace vortree::io {
 /// source  XDMF Model and Format, version 2
 [[nodiscard]] std::string xdmf_text(std::string_view file, std::span<const FrameLabel> frames);
 
+/// Adds one more frame to such a page, which spares looking at all the frames again.
+/// Returns false, and changes nothing, if the page does not end as one made here.
+[[nodiscard]] bool add_to_xdmf(std::string& page, std::string_view file, const FrameLabel& frame);
+
 }  // namespace vortree::io

@@ -111,6 +111,23 @@ TEST_CASE("the XDMF page is XML, and every dataset it names is there with the le
   CHECK(named == 3 * 8);
 }
 
+TEST_CASE("an XDMF page that was lost or hurt is made anew with the next frame") {
+  const Sandbox box;
+  create_frames(box.path(), {});
+  for (const int step : {1, 2, 3}) append_frame(box.path(), frame_of(step, 5));
+  const std::string page = text_of(box / "frames.xdmf");
+  rewind_frames(box.path(), 2);
+  SECTION("gone") {
+    std::filesystem::remove(box / "frames.xdmf");
+  }
+  SECTION("cut") {
+    std::filesystem::resize_file(box / "frames.xdmf", 300);
+  }
+  SECTION("whole") {}
+  append_frame(box.path(), frame_of(3, 5));
+  CHECK(text_of(box / "frames.xdmf") == page);
+}
+
 TEST_CASE("the XDMF page shows every frame at its time, as points with scalars and velocity") {
   const Sandbox box;
   create_frames(box.path(), {});
