@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The launcher on made-up machines: a PATH with nothing but what a claim needs, and a project of the launcher alone.
+# The launcher on made-up machines: a PATH with nothing but what a claim needs, and a project that
+# has nothing but the launcher.
 #   test.sh LAUNCHER
 set -u
 launcher=$1
@@ -28,7 +29,8 @@ claim() {
   cp "$launcher" "$project/vortree"
 }
 
-# cmake and ninja that only leave a program behind; it prints where it is called and with what, and returns 7.
+# cmake and ninja that only leave a program behind, which prints where and with what it is called
+# and returns 7.
 builders() {
   tool cmake "echo \"CMAKE_HOME_DIRECTORY:INTERNAL=$project\" >$project/build/CMakeCache.txt
     echo configured >>$project/steps; : >$project/build/build.ninja"
@@ -56,8 +58,8 @@ call() {  # call FROM LAUNCHER ARGUMENTS: sets out, err, code
 
 steps() { cat "$project/steps" 2>/dev/null; }
 
-packages='g++ cmake ninja-build libeigen3-dev libboost-dev libfftw3-dev libhdf5-dev libtomlplusplus-dev libcli11-dev
-libfmt-dev catch2 python3-matplotlib python3-h5py'
+packages='g++ cmake ninja-build libeigen3-dev libboost-dev libfftw3-dev libhdf5-dev
+libtomlplusplus-dev libcli11-dev libfmt-dev catch2 python3-matplotlib python3-h5py'
 
 claim "without apt it names what is missing and stops"
 call "$project" ./vortree cases
@@ -78,14 +80,16 @@ expect said "$err" "vortree: building"
 call "$project" ./vortree cases
 expect again "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"ninja vortree"
 
-claim "a package that is only known or half installed is installed, and no other; the index is refreshed first"
+claim "a package that is known but not or half installed is installed, and no other, after an update"
 apt ${packages/catch2/}; builders
 printf 'catch2 half-\ncatch2 not-\n' >>"$machine/installed"
 if ((EUID != 0)); then tool sudo 'exec "$@"'; fi
 call "$project" ./vortree cases
 expect code $code 7
 expect said "${err%%$'\n'*}" "vortree: installing catch2"
-expect steps "$(steps)" "noninteractive * update"$'\n'"noninteractive * install -y --no-install-recommends catch2"$'\n'"configured*"
+expect steps "$(steps)" "noninteractive * update
+noninteractive * install -y --no-install-recommends catch2
+configured*"
 
 claim "a failing installation ends with apt's words and 1"
 apt g++; builders
@@ -119,7 +123,8 @@ expect steps "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"configured"$'\n'"n
 
 claim "two calls at once build one after the other"
 apt $packages; builders
-tool ninja "[[ -e $project/busy ]] && echo clash >>$project/steps; : >$project/busy; sleep 0.3; $(command -v rm) $project/busy"
+tool ninja "[[ -e $project/busy ]] && echo clash >>$project/steps
+  : >$project/busy; sleep 0.3; $(command -v rm) $project/busy"
 (cd "$project" && PATH=$machine ./vortree cases) >/dev/null 2>&1 &
 call "$project" ./vortree cases
 wait

@@ -1,0 +1,37 @@
+#include "app/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/places.hpp"
+#include "io/scene.hpp"
+
+namespace vortree::app {
+namespace {
+
+std::string title(const std::filesystem::path& scene) {
+  try {
+    return io::load_scene(scene).title;
+  } catch (const io::InputError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+std::string list_cases() {
+  const auto scenes = scene_files();
+  std::size_t width = 0;
+  for (const auto& scene : scenes) width = std::max(width, scene.stem().string().size());
+  std::string lines;
+  for (const auto& scene : scenes)
+    lines += fmt::format("{:<{}}  {}\n", scene.stem().string(), width, title(scene));
+  return lines;
+}
+
+std::string check(const std::string& scene, const std::vector<std::string>& overrides) {
+  return io::resolved(io::load_scene(find_scene(scene), overrides));
+}
+
+}  // namespace vortree::app

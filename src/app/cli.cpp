@@ -1,0 +1,189 @@
+#include "app/cli.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <new>
+#include <stdexcept>
+
+#include "app/check.hpp"
+#include "app/places.hpp"
+#include "app/plot.hpp"
+#include "app/run.hpp"
+#include "app/velocity.hpp"
+#include "io/input_error.hpp"
+
+namespace vortree::app {
+namespace {
+
+constexpr int done = 0, failed = 1, wrong_input = 2;
+
+// All that a command line can say.
+struct Words {
+  RunOptions run;
+  VelocityJob velocity;
+  std::string scene;
+  std::vector<std::string> overrides;
+  std::string folder;
+  int threads = 0;
+};
+
+int complain(std::string message, int code) {
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  std::ranges::replace(message, '\n', ' ');
+  fmt::print(stderr, "vortree: {}\n", message);
+  return code;
+}
+
+void add_threads(CLI::App& command, Words& words) {
+  command.add_option("--threads", words.threads, "threads; all by default")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+}
+
+void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
+  command.add_option("SCENE", scene, "a TOML file, or the name of a case")->required();
+  command.add_option("key=value", overrides, "instead of what the scene says: table.key=value")
+      ->check([](const std::string& word) {
+        return word.find('=') == std::string::npos ? "expected table.key=value, not " + word
+                                                   : std::string();
+      })
+      ->type_name("");
+}
+
+void add_run(CLI::App& program, Words& words) {
+  auto& command = *program.add_subcommand("run", "run a scene");
+  add_scene(command, words.run.scene, words.run.overrides);
+  command.add_option("--out", words.run.out, "folder for the results; by default runs/SCENE")
+      ->type_name("DIR");
+  command.add_flag("--resume", words.run.resume, "go on from the last frame in that folder");
+  add_threads(command, words);
+  command.footer("example: vortree run cylinder_re550 time.end=1 --out runs/short");
+}
+
+void add_check(CLI::App& program, Words& words) {
+  auto& command =
+      *program.add_subcommand("check", "read a scene, print it with every default written out");
+  add_scene(command, words.scene, words.overrides);
+}
+
+void add_velocity(CLI::App& program, Words& words) {
+  using fmm::Builder;
+  static const std::map<std::string, Builder> builders{{"reverse", Builder::reverse},
+                                                       {"forward", Builder::forward}};
+  auto& job = words.velocity;
+  auto& command =
+      *program.add_subcommand("velocity", "velocities of the vortices of a particle file");
+  command
+      .add_option("IN", job.in,
+                  "HDF5 file with x, y, gamma and, unless they are bare vortices, sigma")
+      ->required();
+  command.add_option("--out", job.out, "HDF5 file for u, v")->required()->type_name("FILE");
+  command.add_option("--tolerance", job.options.tolerance, "relative L2 error that may be made")
+      ->type_name("REAL")
+      ->capture_default_str();
+  command.add_option("--method", job.method, "how to sum")
+      ->check(CLI::IsMember(velocity_methods()))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command.add_option("--builder", job.options.builder, "how to build the tree")
+      ->transform(CLI::CheckedTransformer(builders).description(":{reverse,forward}"))
+      ->type_name("NAME")
+      ->default_str("reverse");
+  command
+      .add_option("--targets", job.targets,
+                  "HDF5 file with x, y: velocities there, not at the vortices")
+      ->type_name("FILE");
+  command
+      .add_option("--order", job.options.order, "terms of an expansion; 0: as the tolerance needs")
+      ->type_name("P")
+      ->capture_default_str();
+  command
+      .add_option("--capacity", job.options.capacity,
+                  "most vortices in a childless cell; 0: chosen")
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--level", job.options.finest_level, "finest level of the tree")
+      ->type_name("L")
+      ->capture_default_str();
+  command.add_flag("--verify", job.verify,
+                   "compare with a direct sum in long double at 1000 random targets");
+  command.add_option("--repeat", job.repeat, "sum so many times, report median times")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("K")
+      ->capture_default_str();
+  add_threads(command, words);
+  command.footer("example: vortree velocity wake.h5 --out uv.h5 --tolerance 1e-9 --verify");
+}
+
+void add_commands(CLI::App& program, Words& words) {
+  program.set_version_flag("--version", "vortree " + version());
+  program.require_subcommand(0, 1);
+  program.add_subcommand("cases", "list the scenes that come with the program");
+  add_run(program, words);
+  add_check(program, words);
+  add_velocity(program, words);
+  program.add_subcommand("plot", "draw the figures of a finished run into its folder")
+      ->add_option("DIR", words.folder, "folder of a run")
+      ->required();
+}
+
+int run_scene(RunOptions options, int threads) {
+  options.threads = threads;
+  if (options.out.empty())
+    options.out = std::filesystem::path("runs") / find_scene(options.scene).stem();
+  try {
+    return run(options);
+  } catch (const std::invalid_argument& broken) {
+    // What a library refuses in the middle of a run is not the user's input.
+    return complain(broken.what(), failed);
+  }
+}
+
+int carry_out(const CLI::App& program, const Words& words) {
+  if (words.threads > 0) omp_set_num_threads(words.threads);
+  if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
+  if (program.got_subcommand("cases")) fmt::print("{}", list_cases());
+  if (program.got_subcommand("check")) fmt::print("{}", check(words.scene, words.overrides));
+  if (program.got_subcommand("velocity")) fmt::print("{}\n", velocity(words.velocity).line());
+  if (program.got_subcommand("plot")) plot(words.folder);
+  return done;
+}
+
+// The command line of the command that was being read, for the hint behind a usage error.
+std::string help_of(const CLI::App& program) {
+  const auto commands = program.get_subcommands();
+  return commands.empty() ? "vortree --help"
+                          : "vortree " + commands.front()->get_name() + " --help";
+}
+
+}  // namespace
+
+int command_line(int argc, char** argv) {
+  CLI::App program{"Vortex and particle methods on one quadtree.", "vortree"};
+  Words words;
+  try {
+    add_commands(program, words);
+    program.parse(argc, argv);
+    if (program.get_subcommands().empty())
+      return complain("no command given; vortree --help lists them", wrong_input);
+    return carry_out(program, words);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);
+    return complain(fmt::format("{}; see {}", error.what(), help_of(program)), wrong_input);
+  } catch (const io::InputError& error) {
+    return complain(error.what(), wrong_input);
+  } catch (const std::invalid_argument& error) {
+    return complain(error.what(), wrong_input);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory", failed);
+  } catch (const std::exception& error) {
+    return complain(error.what(), failed);
+  }
+}
+
+}  // namespace vortree::app

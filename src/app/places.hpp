@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vortree::app {
+
+/// Version of the program, as `vortree --version` prints it.
+std::string version();
+
+/// The folder that holds cases/ and plots/: the environment's VORTREE_SHARE; else share/vortree
+/// beside an installed program; else the source tree from which the program was built.
+std::filesystem::path share_folder();
+
+/// The scene files of cases/, sorted by name.
+std::vector<std::filesystem::path> scene_files();
+
+/// The scene file that the user means: a path, or the bare name of a case (`cylinder` for
+/// cases/cylinder.toml).
+///
+/// throws  io::InputError that lists the cases, if it is neither
+std::filesystem::path find_scene(const std::string& name);
+
+/// The figure scripts plots/*.py, sorted by name; those whose names begin with an underscore are
+/// parts of others.
+std::vector<std::filesystem::path> plot_scripts();
+
+}  // namespace vortree::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+namespace vortree::app {
+
+/// Draws every figure that the files of a run or a bench allow: calls each script of plots/ with
+/// /usr/bin/python3 and the folder as its one argument, one after another.
+///
+/// A script writes its pictures into the folder and prints their names; where the folder lacks what
+/// it needs, it writes nothing and leaves with 0.
+///
+/// throws  io::InputError if there is no such folder; std::runtime_error with the last line a
+/// script wrote on standard
+///         error, if it fails
+void plot(const std::filesystem::path& folder);
+
+}  // namespace vortree::app

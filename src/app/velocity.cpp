@@ -1,0 +1,170 @@
+#include "app/velocity.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/clock.hpp"
+#include "app/memory.hpp"
+#include "app/verify.hpp"
+#include "fmm/direct.hpp"
+#include "io/particles.hpp"
+
+namespace vortree::app {
+namespace {
+
+struct Problem {
+  io::Particles sources, targets;
+  bool elsewhere = false;  // the targets are not the sources themselves
+  std::vector<double> u, v;
+
+  fmm::Blobs blobs() const { return {sources.x, sources.y, sources.gamma, sources.sigma}; }
+  fmm::Targets points() const {
+    const auto& at = elsewhere ? targets : sources;
+    return {at.x, at.y, {}};
+  }
+};
+
+// What a method says of its work; null where it has no such thing.
+struct Account {
+  io::Json builder{}, tolerance{}, order{}, pairs{};
+};
+
+// Sums once: the result into the problem, the time into the stopwatch.
+using Summation = Account (*)(Problem& problem, const fmm::Options& options, Stopwatch& watch);
+
+Account sum_directly(Problem& problem, const fmm::Options&, Stopwatch& watch) {
+  watch.begin("near");
+  fmm::velocity_direct(problem.blobs(), problem.points(), fmm::Cores::source, problem.u, problem.v);
+  watch.end();
+  const std::uint64_t n = problem.blobs().size(), m = problem.points().size();
+  return {.pairs = problem.elsewhere ? n * m : n * (std::max<std::uint64_t>(n, 1) - 1)};
+}
+
+Account sum_by_boxes(Problem& problem, const fmm::Options& options, Stopwatch& watch) {
+  watch.begin("plan");
+  const fmm::Plan plan(problem.blobs(), options);
+  watch.begin("evaluate");
+  if (problem.elsewhere)
+    plan.velocity(problem.points(), problem.u, problem.v);
+  else
+    plan.velocity(problem.u, problem.v);
+  watch.end();
+
+  Account account{.builder = options.builder == fmm::Builder::reverse ? "reverse" : "forward",
+                  .tolerance = options.tolerance,
+                  .order = plan.order()};
+  if (!problem.elsewhere) {
+    const fmm::Work work = plan.work();
+    account.pairs = work.bare + work.cored;
+  }
+  return account;
+}
+
+struct Method {
+  std::string_view name;
+  Summation sum;
+};
+
+constexpr std::array methods{Method{"boxes", sum_by_boxes}, Method{"direct", sum_directly}};
+
+Summation method_named(std::string_view name) {
+  const auto found = std::ranges::find(methods, name, &Method::name);
+  if (found != methods.end()) return found->sum;
+  throw std::invalid_argument("no method \"" + std::string(name) + "\"");
+}
+
+Problem read_problem(const VelocityJob& job) {
+  using enum io::Need;
+  Problem problem;
+  problem.sources = io::read_particles(job.in, {.gamma = required, .sigma = optional});
+  problem.elsewhere = !job.targets.empty();
+  if (problem.elsewhere) problem.targets = io::read_particles(job.targets);
+  problem.u.resize(problem.points().size());
+  problem.v.resize(problem.points().size());
+  return problem;
+}
+
+void write_result(const std::filesystem::path& out, const Problem& problem) {
+  const std::array columns{io::Column{"u", std::span<const double>(problem.u)},
+                           io::Column{"v", std::span<const double>(problem.v)}};
+  io::write_columns(out, columns);
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t n = values.size();
+  return (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
+// Medians of the phases and of their sums. The four phases of a tree code come first, null where a
+// method cannot tell them apart; then what it can tell.
+io::Json median_seconds(const std::vector<Stopwatch>& laps) {
+  io::Json seconds;
+  for (const auto* phase : {"tree", "upward", "far", "near"}) seconds[phase] = {};
+  for (const auto& [phase, ignored] : laps.front().phases()) {
+    std::vector<double> values;
+    for (const Stopwatch& lap : laps) values.push_back(lap.seconds(phase));
+    seconds[phase] = median(values);
+  }
+  std::vector<double> totals;
+  for (const Stopwatch& lap : laps) {
+    totals.push_back(0);
+    for (const auto& [phase, spent] : lap.phases()) totals.back() += spent;
+  }
+  seconds["total"] = median(totals);
+  return seconds;
+}
+
+io::Json error_of(const Problem& problem) {
+  const VelocityError error =
+      velocity_error(problem.blobs(), problem.points(), problem.u, problem.v);
+  io::Json members;
+  members["relative_l2"] = error.relative_l2;
+  members["p99"] = error.p99;
+  members["max"] = error.max;
+  members["targets"] = std::uint64_t{error.targets};
+  return members;
+}
+
+}  // namespace
+
+std::vector<std::string> velocity_methods() {
+  std::vector<std::string> names;
+  for (const Method& method : methods) names.emplace_back(method.name);
+  return names;
+}
+
+io::Json velocity(const VelocityJob& job) {
+  const Summation sum = method_named(job.method);
+  Stopwatch files;
+  files.begin("io");
+  io::check_writable(job.out);
+  Problem problem = read_problem(job);
+  files.end();
+
+  std::vector<Stopwatch> laps(job.repeat);
+  Account account;
+  for (Stopwatch& lap : laps) account = sum(problem, job.options, lap);
+
+  files.begin("io");
+  write_result(job.out, problem);
+  files.end();
+
+  io::Json report;
+  report["n"] = std::uint64_t{problem.blobs().size()};
+  report["method"] = job.method;
+  report["builder"] = account.builder;
+  report["threads"] = omp_get_max_threads();
+  report["tolerance"] = account.tolerance;
+  report["order"] = account.order;
+  report["pairs"] = account.pairs;
+  report["peak_bytes"] = std::uint64_t{peak_bytes()};
+  report["seconds"] = median_seconds(laps);
+  report["seconds"]["io"] = files.seconds("io");
+  if (job.verify) report["error"] = error_of(problem);
+  return report;
+}
+
+}  // namespace vortree::app

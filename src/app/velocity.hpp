@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fmm/plan.hpp"
+#include "io/json.hpp"
+
+namespace vortree::app {
+
+/// Every method by which `vortree velocity` can sum, best first.
+std::vector<std::string> velocity_methods();
+
+struct VelocityJob {
+  std::filesystem::path in, out, targets;  // targets empty: the sources themselves
+  std::string method = "boxes";
+  fmm::Options options;
+  bool verify = false;
+  int repeat = 1;
+};
+
+/// Velocities upon all vortices of a particle file, or upon the points of another: reads, sums
+/// `repeat` times, writes `u` and `v`.
+///
+/// returns  what was done, for standard output: n, method, builder, threads, tolerance, order,
+/// pairs, peak_bytes, seconds
+///          {tree, upward, far, near, total: medians of all repetitions; io} and, if asked to
+///          verify, error {relative_l2, p99, max, targets}. What a method does not have is null.
+/// throws   io::InputError for wrong files, std::invalid_argument for options that fmm::Plan
+/// refuses
+io::Json velocity(const VelocityJob& job);
+
+}  // namespace vortree::app

@@ -1,0 +1,141 @@
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "app/clock.hpp"
+#include "app/memory.hpp"
+#include "app/progress.hpp"
+#include "app/signals.hpp"
+#include "app/verify.hpp"
+
+using namespace vortree;
+using namespace std::chrono_literals;
+
+TEST_CASE(
+    "a stopwatch adds up the laps of a phase, keeps the phases in order and loses no time "
+    "between") {
+  app::Stopwatch watch;
+  for (int lap = 0; lap < 2; ++lap) {
+    watch.begin("convect");
+    std::this_thread::sleep_for(5ms);
+    watch.begin("wall");
+    std::this_thread::sleep_for(1ms);
+  }
+  watch.end();
+  std::this_thread::sleep_for(20ms);
+  watch.end();
+  const double convect = watch.seconds("convect"), wall = watch.seconds("wall");
+  CHECK(convect >= 0.010);
+  CHECK(wall >= 0.002);
+  CHECK(watch.elapsed() >= convect + wall + 0.020);
+  CHECK(watch.seconds("never") == 0.0);
+  REQUIRE(watch.phases().size() == 2);
+  CHECK(watch.phases()[0].first == "convect");
+}
+
+TEST_CASE("peak memory grows by what is touched") {
+  const auto before = app::peak_bytes();
+  const std::vector<char> block(64 << 20, 1);
+  CHECK(app::peak_bytes() >= before + (48 << 20));
+  CHECK(block.back() == 1);
+}
+
+TEST_CASE("progress tells the time left from the flow time done since the start of this process") {
+  const app::Progress progress{.step = 320,
+                               .time = 3,
+                               .dt = 0.01,
+                               .start = 2,
+                               .end = 4,
+                               .particles = 41230,
+                               .drift = 1.234e-7};
+  CHECK(app::progress_line(progress, 75) ==
+        "step 320  t 3/4  dt 0.01  41230 particles  ETA 1:15  drift 1.2e-07");
+  CHECK(app::progress_line(progress, 7200).find("ETA 2:00:00") != std::string::npos);
+  CHECK(app::progress_line({.end = 1}, 1).find("ETA ?") != std::string::npos);
+}
+
+TEST_CASE("progress is silent where standard error is not a terminal") {
+  int ends[2];
+  REQUIRE(pipe(ends) == 0);
+  if (const pid_t child = fork(); child == 0) {
+    dup2(ends[1], STDERR_FILENO);
+    app::ProgressLine line;
+    line.show({.step = 1, .time = 1, .end = 2});
+    line.clear();
+    _exit(0);
+  } else {
+    close(ends[1]);
+    char byte;
+    CHECK(read(ends[0], &byte, 1) == 0);
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+  }
+}
+
+namespace {
+
+// How a child ends that asks for stops as `body` says.
+int status_of(void (*body)()) {
+  const pid_t child = fork();
+  if (child == 0) {
+    body();
+    _exit(7);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("the first signal only asks for an end, the second one kills") {
+  const int once = status_of([] {
+    const app::StopRequest stop;
+    const bool before = static_cast<bool>(stop);
+    raise(SIGINT);
+    _exit(!before && stop && stop.signal() == SIGINT ? 0 : 1);
+  });
+  CHECK(WIFEXITED(once));
+  CHECK(WEXITSTATUS(once) == 0);
+
+  const int twice = status_of([] {
+    const app::StopRequest stop;
+    raise(SIGINT);
+    raise(SIGTERM);
+  });
+  CHECK(WIFSIGNALED(twice));
+  CHECK(WTERMSIG(twice) == SIGTERM);
+
+  const int after = status_of([] {
+    { const app::StopRequest stop; }
+    raise(SIGINT);
+  });
+  CHECK(WIFSIGNALED(after));
+}
+
+TEST_CASE("the error of velocities that are off by a known amount is that amount") {
+  // Two vortices of gamma 2 pi at distance 2: each moves the other with 1/2.
+  const double gamma = 2 * 3.14159265358979323846;
+  const std::vector<double> x{-1, 1}, y{0, 0}, strength{gamma, gamma}, u{0, 0};
+  const fmm::Blobs blobs{x, y, strength, {}};
+  const fmm::Targets targets{x, y, {}};
+
+  const std::vector<double> off{-0.5, 0.5 + 0.125};
+  const auto error = app::velocity_error(blobs, targets, u, off);
+  CHECK(error.relative_l2 == Approx(0.125 / std::sqrt(0.5)));
+  CHECK(error.max == Approx(0.25));
+  CHECK(error.targets == 2);
+
+  const std::vector<double> broken{-0.5, NAN};
+  CHECK(std::isinf(app::velocity_error(blobs, targets, u, broken).max));
+  CHECK(std::isnan(app::velocity_error(blobs, targets, u, broken).relative_l2));
+
+  const std::vector<double> wide{2, 2},
+      slow{-0.5 * (1 - std::exp(-1.0)), 0.5 * (1 - std::exp(-1.0))};
+  CHECK(app::velocity_error({x, y, strength, wide}, targets, u, slow).max < 1e-15);
+}

@@ -1,0 +1,145 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "app/program.hpp"
+
+using namespace vortree::test;
+
+namespace {
+
+Vector random_values(std::size_t n, unsigned seed, double from, double to) {
+  std::mt19937_64 generator(seed);
+  Vector values(n);
+  for (double& value : values) value = std::uniform_real_distribution(from, to)(generator);
+  return values;
+}
+
+void write_cloud(const fs::path& file, std::size_t n, bool cored) {
+  std::vector<std::pair<std::string, Vector>> columns{{"x", random_values(n, 1, 0, 1)},
+                                                      {"y", random_values(n, 2, 0, 1)},
+                                                      {"gamma", random_values(n, 3, -1, 1)}};
+  if (cored) columns.push_back({"sigma", Vector(n, 0.01)});
+  write_particles(file, columns);
+}
+
+struct Velocities {
+  Vector u, v;
+};
+
+Velocities read_velocities(const TemporaryFolder& folder, const std::string& file) {
+  const auto lines = shell(
+      "/usr/bin/python3 -c \"import h5py; f = h5py.File('" + file +
+          "'); [print(float(a).hex(), float(b).hex()) for a, b in zip(f['u'][:], f['v'][:])]\"",
+      folder);
+  REQUIRE(lines.err == "");
+  Velocities velocities;
+  std::istringstream words(lines.out);
+  for (std::string u, v; words >> u >> v;) {
+    velocities.u.push_back(std::strtod(u.c_str(), nullptr));
+    velocities.v.push_back(std::strtod(v.c_str(), nullptr));
+  }
+  return velocities;
+}
+
+double relative_l2(const Velocities& found, const Velocities& expected) {
+  REQUIRE(found.u.size() == expected.u.size());
+  double difference = 0, length = 0;
+  for (std::size_t i = 0; i < found.u.size(); ++i) {
+    difference += std::pow(found.u[i] - expected.u[i], 2) + std::pow(found.v[i] - expected.v[i], 2);
+    length += std::pow(expected.u[i], 2) + std::pow(expected.v[i], 2);
+  }
+  return std::sqrt(difference / length);
+}
+
+// Asks python, which knows JSON better than we do.
+std::string json(const TemporaryFolder& folder, const std::string& line,
+                 const std::string& expression) {
+  folder.write("line.json", line);
+  const auto answer =
+      shell("/usr/bin/python3 -c \"import json; d = json.load(open('line.json')); print(" +
+                expression + ")\"",
+            folder);
+  REQUIRE(answer.err == "");
+  return answer.out.substr(0, answer.out.find('\n'));
+}
+
+}  // namespace
+
+TEST_CASE("boxes and the direct sum agree within the tolerance, for bare and for cored vortices") {
+  const TemporaryFolder folder;
+  const bool cored = GENERATE(false, true);
+  write_cloud(folder / "in.h5", 3000, cored);
+  REQUIRE(call("velocity in.h5 --out direct.h5 --method direct", folder).code == 0);
+  REQUIRE(call("velocity in.h5 --out boxes.h5 --tolerance 1e-8", folder).code == 0);
+  const auto direct = read_velocities(folder, "direct.h5");
+  const auto boxes = read_velocities(folder, "boxes.h5");
+  REQUIRE(direct.u.size() == 3000);
+  CHECK(relative_l2(boxes, direct) <= 1e-8);
+}
+
+TEST_CASE("other targets get the velocities of the sources") {
+  const TemporaryFolder folder;
+  constexpr double pi = 3.14159265358979323846;
+  write_particles(folder / "in.h5", {{"x", {1}}, {"y", {0}}, {"gamma", {2 * pi}}});
+  write_particles(folder / "at.h5", {{"x", {0, 3}}, {"y", {0, 0}}});
+  for (const std::string method : {"boxes", "direct"}) {
+    const auto outcome =
+        call("velocity in.h5 --out o.h5 --targets at.h5 --verify --method " + method, folder);
+    REQUIRE(outcome.code == 0);
+    const auto at = read_velocities(folder, "o.h5");
+    REQUIRE(at.u.size() == 2);
+    CHECK(at.v[0] == Approx(-1));
+    CHECK(at.v[1] == Approx(0.5));
+    CHECK(at.u[0] == Approx(0).margin(1e-15));
+    CHECK(json(folder, outcome.out, "d['n'], d['error']['targets'], d['error']['max'] < 1e-14") ==
+          "1 2 True");
+  }
+}
+
+TEST_CASE("one line of JSON says what was done") {
+  const TemporaryFolder folder;
+  write_cloud(folder / "in.h5", 2000, true);
+  const auto outcome = call(
+      "velocity in.h5 --out o.h5 --tolerance 1e-5 --builder forward --threads 2 --verify --repeat "
+      "3",
+      folder);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(std::ranges::count(outcome.out, '\n') == 1);
+  const auto ask = [&](const std::string& expression) {
+    return json(folder, outcome.out, expression);
+  };
+  CHECK(ask("*d") == "n method builder threads tolerance order pairs peak_bytes seconds error");
+  CHECK(ask("d['n'], d['method'], d['builder'], d['threads'], d['tolerance']") ==
+        "2000 boxes forward 2 1e-05");
+  CHECK(ask("d['order'] > 0, d['pairs'] > 0, d['peak_bytes'] > 1e6") == "True True True");
+  CHECK(ask("*list(d['seconds'])[:4], *list(d['seconds'])[-2:]") ==
+        "tree upward far near total io");
+  CHECK(ask("abs(sum(s for p, s in d['seconds'].items() if p not in ('total', 'io') and s) / "
+            "d['seconds']['total'] - 1) < 0.5") == "True");
+  CHECK(ask("all(s > 0 for s in d['seconds'].values() if s is not None)") == "True");
+  CHECK(ask("0 < d['error']['relative_l2'] <= 1e-5, d['error']['targets']") == "True 1000");
+  CHECK(ask("0 < d['error']['p99'] <= d['error']['max'] < 1e-4") == "True");
+}
+
+TEST_CASE("the direct sum counts every pair and is right to round-off") {
+  const TemporaryFolder folder;
+  write_cloud(folder / "in.h5", 500, true);
+  const auto outcome = call("velocity in.h5 --out o.h5 --method direct --verify", folder);
+  REQUIRE(outcome.code == 0);
+  CHECK(json(folder, outcome.out, "d['pairs'], d['error']['relative_l2'] < 1e-13, d['builder']") ==
+        std::to_string(500 * 499) + " True None");
+}
+
+TEST_CASE("no vortices make no velocities, and no fuss") {
+  const TemporaryFolder folder;
+  write_particles(folder / "in.h5", {{"x", {}}, {"y", {}}, {"gamma", {}}});
+  for (const std::string method : {"boxes", "direct"}) {
+    const auto outcome = call("velocity in.h5 --out o.h5 --verify --method " + method, folder);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(json(folder, outcome.out, "d['n'], d['error']['relative_l2'] == 0") == "0 True");
+    CHECK(read_velocities(folder, "o.h5").u.empty());
+  }
+}
