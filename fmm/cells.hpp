@@ -2,15 +2,15 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "fmm/reals.hpp"
 #include "tree/quadtree.hpp"
 
 namespace vortree::fmm {
 
 /// Points in Morton order, in Units, with their squared cores.
 struct SortedPoints {
-  std::vector<double> x, y, core;
+  Reals x, y, core;
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
@@ -18,10 +18,10 @@ struct SortedPoints {
 /// the distance from there to the outermost point, and the largest squared core, which is carried
 /// upward so that a parent knows the widest blob below it.
 struct CellShapes {
-  std::vector<double> x, y;            // middle of the bounding box
-  std::vector<double> half_x, half_y;  // half its sides
-  std::vector<double> radius;          // no point is farther from the middle
-  std::vector<double> core;            // the largest squared core inside
+  Reals x, y;            // middle of the bounding box
+  Reals half_x, half_y;  // half its sides
+  Reals radius;          // no point is farther from the middle
+  Reals core;            // the largest squared core inside
 
   CellShapes() = default;
   CellShapes(const tree::Quadtree& tree, const SortedPoints& points);

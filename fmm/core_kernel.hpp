@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <iterator>
 
 #include "fmm/lanes.hpp"
 
@@ -11,7 +12,7 @@ namespace vortree::fmm {
 ///   core(q) = 1 - exp(-q),   q >= 0
 ///
 /// error   relative, for every q: no digits are lost near q = 0.
-///         4e-16 with the fine polynomial, 1.1e-8 with the coarse one
+///         4e-16 with the fine polynomial, 1.1e-8 with the coarse one, 2e-7 in floats
 /// twin    core_plain
 inline double core_plain(double q) {
   return -std::expm1(-q);
@@ -31,31 +32,53 @@ struct CoarseExp {  // 1.1e-8
                                      1.3390734496650766038e-3, 1.5403434337111806768e-4};
 };
 
+/// 2^n beside a rounded n: `shifter` added to a number rounds it to an integer held by the low
+/// bits, which `exponent_bits` moves into the exponent.
+template <class Vector>
+struct RoundingOf;
+template <>
+struct RoundingOf<Lanes> {
+  using Number = double;
+  using Integers = Bits;
+  static constexpr double shifter = 0x1.8p52, largest = 700.0;
+  static constexpr int exponent_bits = 52;
+};
+template <>
+struct RoundingOf<Singles> {
+  using Number = float;
+  using Integers = SingleBits;
+  static constexpr float shifter = 0x1.8p23f, largest = 80.0f;
+  static constexpr int exponent_bits = 23;
+};
+
 /// With n = round(-q log2 e) and f the remainder, |f| <= 1/2,
 ///   1 - exp(-q) = 1 - 2^n (1 + p) = (1 - 2^n) - 2^n p,   p = 2^f - 1,
 /// where 1 - 2^n is exact and vanishes for n = 0, so that small q keep all their digits.
-/// Beyond q = 700 the result is 1 to the last bit and 2^n would leave the range of double.
+/// Beyond `largest` the result is 1 to the last bit and 2^n would leave the range.
 ///
 /// Several vectors go side by side, step by step: one alone would wait for its own polynomial.
-template <class Exp, int rows>
-inline void core(const Lanes (&q)[rows], Lanes (&result)[rows]) {
-  constexpr double log2e = 1.4426950408889634074;
-  constexpr double shifter = 0x1.8p52;  // adding it rounds to an integer, held by the low bits
+template <class Exp, class Vector, int rows>
+inline void core(const Vector (&q)[rows], Vector (&result)[rows]) {
+  using Rounding = RoundingOf<Vector>;
+  using Number = typename Rounding::Number;
+  using Integers = typename Rounding::Integers;
+  constexpr Number log2e = static_cast<Number>(1.4426950408889634074);
   constexpr int degree = std::size(Exp::terms) - 1;
-  const Lanes limit = fill(700.0);
-  Lanes bounded[rows], shifted[rows], f[rows], p[rows];
+  const Vector limit = fill(Rounding::largest);
+  Vector bounded[rows], shifted[rows], f[rows], p[rows];
   for (int i = 0; i < rows; ++i) bounded[i] = q[i] < limit ? q[i] : limit;
-  for (int i = 0; i < rows; ++i) shifted[i] = shifter - bounded[i] * log2e;
-  for (int i = 0; i < rows; ++i) f[i] = (shifter - shifted[i]) - bounded[i] * log2e;
-  for (int i = 0; i < rows; ++i) p[i] = fill(Exp::terms[degree]);
+  for (int i = 0; i < rows; ++i) shifted[i] = Rounding::shifter - bounded[i] * log2e;
+  for (int i = 0; i < rows; ++i) f[i] = (Rounding::shifter - shifted[i]) - bounded[i] * log2e;
+  for (int i = 0; i < rows; ++i) p[i] = fill(static_cast<Number>(Exp::terms[degree]));
 #pragma GCC unroll 16
   for (int k = degree - 1; k >= 0; --k) {
-    for (int i = 0; i < rows; ++i) p[i] = p[i] * f[i] + Exp::terms[k];
+    for (int i = 0; i < rows; ++i) p[i] = p[i] * f[i] + static_cast<Number>(Exp::terms[k]);
   }
   for (int i = 0; i < rows; ++i) p[i] *= f[i];
   for (int i = 0; i < rows; ++i) {
-    const Lanes power = (Lanes)(((Bits)shifted[i] << 52) + (Bits)fill(1.0));
-    result[i] = (1.0 - power) - power * p[i];
+    const Integers one = (Integers)fill(Number{1});
+    const Vector power = (Vector)(((Integers)shifted[i] << Rounding::exponent_bits) + one);
+    result[i] = (1 - power) - power * p[i];
   }
 }
 

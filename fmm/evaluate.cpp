@@ -1,32 +1,43 @@
 #include "fmm/evaluate.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "fmm/multipole_kernel.hpp"
-#include "fmm/p2p_kernel.hpp"
+#include "fmm/near.hpp"
 
 namespace vortree::fmm {
 namespace {
 
-/// Beyond this tolerance the shorter exponential is exact enough.
-constexpr double coarse_tolerance = 1e-7;
+/// From this tolerance on, cored near sums may be single and their exponential shorter.
+constexpr double coarse_tolerance = 1e-6;
 
-/// What a thread needs for one leaf, kept for the next one.
-struct Scratch {
-  Interactions found;
-  Packed bare, cored;
-  std::vector<double> x, y, core, u, v;  // the leaf's targets, filled up to whole vectors
+/// Leaves share their far cells in blocks of at most so many targets.
+constexpr std::uint32_t block_size = 256;
+
+/// Targets in a row, filled up to whole vectors, and their sums.
+struct Batch {
+  std::vector<double> x, y, core, u, v;
 
   void take(const SortedPoints& points, tree::Range range) {
-    const std::size_t n = range.size();
-    for (auto* values : {&x, &y, &core, &u, &v}) values->assign(padded(n), 0.0);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const std::size_t from = range.first + std::min(i, n - 1);
-      x[i] = points.x[from], y[i] = points.y[from], core[i] = points.core[from];
-    }
+    const std::size_t n = range.size(), whole = padded(n);
+    for (auto* values : {&x, &y, &core}) values->resize(whole);
+    for (auto* values : {&u, &v}) values->assign(whole, 0.0);
+    std::copy_n(&points.x[range.first], n, x.data());
+    std::copy_n(&points.y[range.first], n, y.data());
+    std::copy_n(&points.core[range.first], n, core.data());
+    std::fill(x.begin() + static_cast<std::ptrdiff_t>(n), x.end(), x[n - 1]);
+    std::fill(y.begin() + static_cast<std::ptrdiff_t>(n), y.end(), y[n - 1]);
   }
+};
+
+/// What a thread needs for one block, kept for the next one.
+struct Scratch {
+  SharedInteractions shared;
+  Interactions found;
+  NearSources near;
+  Batch block, leaf;
 };
 
 TargetBox box(const CellShapes& shapes, std::size_t cell) {
@@ -34,99 +45,106 @@ TargetBox box(const CellShapes& shapes, std::size_t cell) {
           shapes.core[cell]};
 }
 
-/// Near sources one beside the other, parted anew: in a cell whose cores may show, most sources are
-/// still too far from this leaf for their own core to show.
-template <class Pair>
-void pack(const SourceSide& sources, const TargetBox& target, const Acceptance& acceptance,
-          Scratch& scratch) {
-  std::size_t near = 0;
-  for (const tree::Range run : scratch.found.bare) near += run.size();
-  for (const tree::Range run : scratch.found.cored) near += run.size();
-  scratch.bare.restart(near);
-  scratch.cored.restart(near);
-  const SortedPoints& points = sources.points;
-  for (const tree::Range run : scratch.found.bare) {
-    for (std::uint32_t j = run.first; j < run.last; ++j) {
-      scratch.bare.add(points.x[j], points.y[j], sources.gamma[j], 0.0);
-    }
-  }
-  for (const tree::Range run : scratch.found.cored) {
-    for (std::uint32_t j = run.first; j < run.last; ++j) {
-      const double dx = std::max(0.0, std::abs(points.x[j] - target.x) - target.half_x);
-      const double dy = std::max(0.0, std::abs(points.y[j] - target.y) - target.half_y);
-      if (dx * dx + dy * dy >= acceptance.squared_reach(points.core[j], target.core)) {
-        scratch.bare.add(points.x[j], points.y[j], sources.gamma[j], 0.0);
-      } else {
-        scratch.cored.add(points.x[j], points.y[j], sources.gamma[j],
-                          Pair::packed_core(points.core[j]));
-      }
-    }
-  }
-  scratch.bare.close();
-  scratch.cored.close();
-}
-
 template <int rows>
-void add_series_rows(const SourceSide& sources, Scratch& scratch, std::size_t first) {
-  for (const SeriesCell met : scratch.found.series) {
+void add_series_rows(const SourceSide& sources, std::span<const SeriesCell> series, Batch& batch,
+                     std::size_t first) {
+  for (const SeriesCell met : series) {
     const M2pSource source{sources.shapes.x[met.cell],
                            sources.shapes.y[met.cell],
                            scale(sources.shapes, met.cell),
                            sources.multipoles.real(met.cell),
                            sources.multipoles.imaginary(met.cell),
                            met.terms};
-    m2p_rows<rows>(source, &scratch.x[first], &scratch.y[first], &scratch.u[first],
-                   &scratch.v[first]);
+    m2p_rows<rows>(source, &batch.x[first], &batch.y[first], &batch.u[first], &batch.v[first]);
   }
 }
 
-void add_series(const SourceSide& sources, Scratch& scratch) {
+void add_series(const SourceSide& sources, std::span<const SeriesCell> series, Batch& batch) {
   constexpr std::size_t most = 4 * lane_count;
   std::size_t i = 0;
-  for (; i + most <= scratch.x.size(); i += most) add_series_rows<4>(sources, scratch, i);
-  switch ((scratch.x.size() - i) / lane_count) {
+  for (; i + most <= batch.x.size(); i += most) add_series_rows<4>(sources, series, batch, i);
+  switch ((batch.x.size() - i) / lane_count) {
     case 3:
-      return add_series_rows<3>(sources, scratch, i);
+      return add_series_rows<3>(sources, series, batch, i);
     case 2:
-      return add_series_rows<2>(sources, scratch, i);
+      return add_series_rows<2>(sources, series, batch, i);
     case 1:
-      return add_series_rows<1>(sources, scratch, i);
+      return add_series_rows<1>(sources, series, batch, i);
     default:
       return;
   }
 }
 
+/// A cell of the target tree with no more than block_size targets, or childless; its leaves.
+struct BlockOfLeaves {
+  std::uint32_t cell, first, last;
+};
+
+std::vector<BlockOfLeaves> gather_blocks(const tree::Quadtree& tree) {
+  const auto cells = tree.cells();
+  const auto leaves = tree.childless();
+  std::vector<BlockOfLeaves> blocks;
+  for (std::uint32_t k = 0; k < leaves.size(); ++k) {
+    std::uint32_t c = leaves[k];
+    while (cells[c].parent >= 0 && cells[cells[c].parent].points.size() <= block_size) {
+      c = static_cast<std::uint32_t>(cells[c].parent);
+    }
+    if (blocks.empty() || blocks.back().cell != c) blocks.push_back({c, k, k});
+    blocks.back().last = k + 1;
+  }
+  return blocks;
+}
+
 template <class Pair>
 void evaluate_leaf(const SourceSide& sources, const TargetSide& targets, std::uint32_t leaf,
-                   const Acceptance& acceptance, Scratch& scratch) {
+                   const Acceptance& acceptance, bool coarse, Scratch& scratch) {
   const tree::Range range = targets.tree.cells()[leaf].points;
   const TargetBox target = box(targets.shapes, leaf);
-  find_interactions(sources.tree, sources.shapes, target, acceptance, scratch.found);
-  scratch.take(targets.points, range);
-  add_series(sources, scratch);
-  pack<Pair>(sources, target, acceptance, scratch);
-  const NearTargets near{scratch.x.data(), scratch.y.data(), scratch.core.data(),
-                         scratch.u.data(), scratch.v.data(), range.size()};
-  p2p<BarePair>(scratch.bare, near);
-  p2p<Pair>(scratch.cored, near);
+  find_interactions(sources.tree, sources.shapes, target, acceptance, scratch.shared.waiting,
+                    scratch.found);
+  Batch& batch = scratch.leaf;
+  batch.take(targets.points, range);
+  add_series(sources, scratch.found.series, batch);
+  scratch.near.pack(sources.points, sources.gamma, target, acceptance, scratch.found);
+  scratch.near.sum<Pair>(target,
+                         {batch.x.data(), batch.y.data(), batch.core.data(), batch.u.data(),
+                          batch.v.data(), range.size()},
+                         coarse);
+}
+
+template <class Pair>
+void evaluate_block(const SourceSide& sources, const TargetSide& targets,
+                    const BlockOfLeaves& block, const Acceptance& acceptance, bool coarse,
+                    Scratch& scratch, std::span<double> u, std::span<double> v) {
+  const auto cells = targets.tree.cells();
+  const auto order = targets.tree.order();
+  const tree::Range all = cells[block.cell].points;
+  find_shared(sources.tree, sources.shapes, box(targets.shapes, block.cell), acceptance,
+              scratch.shared);
+  scratch.block.take(targets.points, all);
+  add_series(sources, scratch.shared.series, scratch.block);
+  for (std::uint32_t k = block.first; k < block.last; ++k) {
+    const std::uint32_t leaf = targets.tree.childless()[k];
+    evaluate_leaf<Pair>(sources, targets, leaf, acceptance, coarse, scratch);
+    const tree::Range own = cells[leaf].points;
+    for (std::uint32_t j = own.first; j < own.last; ++j) {
+      u[order[j]] = scratch.block.u[j - all.first] + scratch.leaf.u[j - own.first];
+      v[order[j]] = scratch.block.v[j - all.first] + scratch.leaf.v[j - own.first];
+    }
+  }
 }
 
 template <class Pair>
 void evaluate_with(const SourceSide& sources, const TargetSide& targets,
-                   const Acceptance& acceptance, std::span<double> u, std::span<double> v) {
-  const auto leaves = targets.tree.childless();
-  const auto order = targets.tree.order();
+                   const Acceptance& acceptance, bool coarse, std::span<double> u,
+                   std::span<double> v) {
+  const std::vector<BlockOfLeaves> blocks = gather_blocks(targets.tree);
 #pragma omp parallel
   {
     Scratch scratch;
-#pragma omp for schedule(dynamic, 4)
-    for (std::size_t k = 0; k < leaves.size(); ++k) {
-      evaluate_leaf<Pair>(sources, targets, leaves[k], acceptance, scratch);
-      const tree::Range range = targets.tree.cells()[leaves[k]].points;
-      for (std::uint32_t j = range.first; j < range.last; ++j) {
-        u[order[j]] = scratch.u[j - range.first];
-        v[order[j]] = scratch.v[j - range.first];
-      }
+#pragma omp for schedule(dynamic)
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+      evaluate_block<Pair>(sources, targets, blocks[k], acceptance, coarse, scratch, u, v);
     }
   }
 }
@@ -137,17 +155,17 @@ void evaluate(const SourceSide& sources, const TargetSide& targets, const Accept
               double tolerance, std::span<double> u, std::span<double> v) {
   const bool coarse = tolerance >= coarse_tolerance;
   if (acceptance.reach2 == 0.0) {
-    evaluate_with<BarePair>(sources, targets, acceptance, u, v);
+    evaluate_with<BarePair>(sources, targets, acceptance, coarse, u, v);
   } else if (acceptance.cores == Cores::mean) {
     if (coarse) {
-      evaluate_with<MeanCorePair<CoarseExp>>(sources, targets, acceptance, u, v);
+      evaluate_with<MeanCorePair<CoarseExp>>(sources, targets, acceptance, coarse, u, v);
     } else {
-      evaluate_with<MeanCorePair<FineExp>>(sources, targets, acceptance, u, v);
+      evaluate_with<MeanCorePair<FineExp>>(sources, targets, acceptance, coarse, u, v);
     }
   } else if (coarse) {
-    evaluate_with<SourceCorePair<CoarseExp>>(sources, targets, acceptance, u, v);
+    evaluate_with<SourceCorePair<CoarseExp>>(sources, targets, acceptance, coarse, u, v);
   } else {
-    evaluate_with<SourceCorePair<FineExp>>(sources, targets, acceptance, u, v);
+    evaluate_with<SourceCorePair<FineExp>>(sources, targets, acceptance, coarse, u, v);
   }
 }
 
@@ -155,15 +173,25 @@ Work count_work(const SourceSide& sources, const TargetSide& targets,
                 const Acceptance& acceptance) {
   Work work;
   Scratch scratch;
-  for (const std::uint32_t leaf : targets.tree.childless()) {
-    const TargetBox target = box(targets.shapes, leaf);
-    const std::uint64_t n = targets.tree.cells()[leaf].points.size();
-    find_interactions(sources.tree, sources.shapes, target, acceptance, scratch.found);
-    pack<BarePair>(sources, target, acceptance, scratch);
-    work.series += scratch.found.series.size();
-    for (const SeriesCell met : scratch.found.series) work.terms += n * met.terms;
-    work.bare += n * scratch.bare.size();
-    work.cored += n * scratch.cored.size();
+  const auto add = [&](std::span<const SeriesCell> series, std::uint64_t n) {
+    work.series += series.size();
+    for (const SeriesCell met : series) work.terms += n * static_cast<std::uint64_t>(met.terms);
+  };
+  for (const BlockOfLeaves& block : gather_blocks(targets.tree)) {
+    find_shared(sources.tree, sources.shapes, box(targets.shapes, block.cell), acceptance,
+                scratch.shared);
+    add(scratch.shared.series, targets.tree.cells()[block.cell].points.size());
+    for (std::uint32_t k = block.first; k < block.last; ++k) {
+      const std::uint32_t leaf = targets.tree.childless()[k];
+      const std::uint64_t n = targets.tree.cells()[leaf].points.size();
+      const TargetBox target = box(targets.shapes, leaf);
+      find_interactions(sources.tree, sources.shapes, target, acceptance, scratch.shared.waiting,
+                        scratch.found);
+      scratch.near.pack(sources.points, sources.gamma, target, acceptance, scratch.found);
+      add(scratch.found.series, n);
+      work.bare += n * scratch.near.bare();
+      work.cored += n * scratch.near.cored();
+    }
   }
   return work;
 }

@@ -28,7 +28,7 @@ struct TargetSide {
 
 /// How much an evaluation computes.
 ///
-/// series   cells met by their series, once for each target leaf
+/// series   cells met by their series, once for each target leaf or block of leaves
 /// terms    terms of them, once for each target
 /// bare     pairs of target and source summed without core
 /// cored    pairs summed with core
@@ -40,7 +40,8 @@ struct Work {
 /// targets, near sources one by one.
 ///
 /// u, v     one a target, in input order; overwritten
-/// Each leaf is summed by one thread in a fixed order: the result does not depend on the threads.
+/// Each block of leaves is summed by one thread in a fixed order: the result does not depend on the
+/// threads.
 void evaluate(const SourceSide& sources, const TargetSide& targets, const Acceptance& acceptance,
               double tolerance, std::span<double> u, std::span<double> v);
 

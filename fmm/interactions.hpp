@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fmm/blobs.hpp"
@@ -16,7 +17,19 @@ struct SeriesCell {
   int terms;
 };
 
-/// What one target leaf meets: every source once, in a series cell or in a near run.
+/// What a block of neighbouring target leaves meets as one: every source is in a series cell or in
+/// a waiting cell.
+///
+/// series    cells whose multipoles converge at the whole block, and whose cores do not show there
+/// waiting   cells that each leaf must look at for itself
+struct SharedInteractions {
+  std::vector<SeriesCell> series;
+  std::vector<std::uint32_t> waiting;
+
+  void clear() { series.clear(), waiting.clear(); }
+};
+
+/// What one target leaf meets of the waiting cells: every source once.
 ///
 /// series   cells whose multipoles converge at the leaf, and whose cores no longer show there
 /// bare     runs of sources to sum one by one whose cores no longer show
@@ -28,7 +41,7 @@ struct Interactions {
   void clear() { series.clear(), bare.clear(), cored.clear(); }
 };
 
-/// The targets of a leaf: bounding box and largest squared core.
+/// The targets of a leaf or block: bounding box and largest squared core.
 struct TargetBox {
   double x, y, half_x, half_y, core;
 };
@@ -48,13 +61,17 @@ struct Acceptance {
   }
 };
 
-/// Walks the source tree from the root: a cell that may not be met by its series is opened; one
-/// without children goes to the near runs. Small cells are summed directly when that is cheaper.
-/// The walk is the paper's box-to-point evaluation; `found` is overwritten.
+/// The two steps of the walk, which is the paper's box-to-point evaluation: from the root, a cell
+/// that may not be met by its series is opened. For a block, cells no larger than the block are
+/// left to its leaves. For a leaf, cells without children go to the near runs, and small cells are
+/// summed directly where that is cheaper. What is found is overwritten.
 ///
 /// cost    O(log n) cells for n sources
 /// source  Huang, Huang, Xu & Hu 2012; Barnes & Hut, Nature 324 (1986) for the walk
-void find_interactions(const tree::Quadtree& tree, const CellShapes& shapes,
-                       const TargetBox& target, const Acceptance& acceptance, Interactions& found);
+void find_shared(const tree::Quadtree& tree, const CellShapes& shapes, const TargetBox& block,
+                 const Acceptance& acceptance, SharedInteractions& found);
+void find_interactions(const tree::Quadtree& tree, const CellShapes& shapes, const TargetBox& leaf,
+                       const Acceptance& acceptance, std::span<const std::uint32_t> waiting,
+                       Interactions& found);
 
 }  // namespace vortree::fmm

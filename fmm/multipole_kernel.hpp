@@ -21,48 +21,63 @@ struct P2mFrame {
   double x, y, per_length;  // centre and 1/h
 };
 
-/// Lanes are sources.
+/// Lanes are sources; they are summed once, at the end.
 inline void p2m(const P2mSources& sources, const P2mFrame& frame, int order, double* multipole) {
+  Lanes sum_re[most_terms], sum_im[most_terms];
+  for (int k = 0; k < order; ++k) sum_re[k] = sum_im[k] = Lanes{};
   for (std::size_t first = 0; first < sources.size; first += lane_count) {
-    Lanes tx{}, ty{}, re{}, im{};
-    for (std::size_t i = 0; i < lane_count && first + i < sources.size; ++i) {
-      tx[i] = (sources.x[first + i] - frame.x) * frame.per_length;
-      ty[i] = (sources.y[first + i] - frame.y) * frame.per_length;
-      re[i] = sources.gamma[first + i];
-    }
+    const LaneSet some = first_lanes(sources.size - first);
+    const Lanes tx = (load(sources.x + first, some) - frame.x) * frame.per_length;
+    const Lanes ty = (load(sources.y + first, some) - frame.y) * frame.per_length;
+    Lanes re = load(sources.gamma + first, some), im{};
     for (int k = 0; k < order; ++k) {
-      multipole[k] += sum(re);
-      multipole[order + k] += sum(im);
+      sum_re[k] += re;
+      sum_im[k] += im;
       const Lanes next = re * tx - im * ty;
       im = re * ty + im * tx;
       re = next;
     }
   }
+  for (int k = 0; k < order; ++k) {
+    multipole[k] += sum(sum_re[k]);
+    multipole[order + k] += sum(sum_im[k]);
+  }
 }
 
-struct M2mShift {
+/// One child of a family.
+struct M2mChild {
+  const double* multipole;
   double x, y, shrink;  // (z_child - z_parent)/h_parent, h_child/h_parent
 };
 
-/// A shift of the argument of the polynomial sum_k c_k t^k/k!-like powers: with b_j = s^j c_j, the
-/// sweeps b_k += d b_(k-1) for k = order-1 .. m, m = 1 .. order-1, leave sum_j binom(k, j) d^(k-j)
-/// b_j.
-inline void m2m(const double* child, const M2mShift& shift, int order, double* parent) {
-  double re[most_terms], im[most_terms];
-  double power = 1.0;
-  for (int k = 0; k < order; ++k, power *= shift.shrink) {
-    re[k] = child[k] * power;
-    im[k] = child[order + k] * power;
+inline constexpr int family = 4;
+using Family [[gnu::vector_size(32)]] = double;
+
+/// Adds the multipoles of up to four children to their parent's; lanes are children. The binomial
+/// sum is swept: with b_j = s^j c_j, the steps b_k += d b_(k-1) for k = order-1 .. m, done for
+/// m = 1 .. order-1, leave sum_j binom(k, j) d^(k-j) b_j, with no power of d or binomial formed.
+inline void m2m(const M2mChild* children, int count, int order, double* parent) {
+  Family re[most_terms], im[most_terms], x{}, y{}, shrink{}, power{};
+  for (int i = 0; i < count; ++i) {
+    x[i] = children[i].x, y[i] = children[i].y, shrink[i] = children[i].shrink, power[i] = 1.0;
+  }
+  const double* from[family];
+  for (int i = 0; i < family; ++i) from[i] = children[i < count ? i : 0].multipole;
+  for (int k = 0; k < order; ++k) {
+    re[k] = Family{from[0][k], from[1][k], from[2][k], from[3][k]} * power;
+    im[k] = Family{from[0][order + k], from[1][order + k], from[2][order + k], from[3][order + k]} *
+            power;
+    power *= shrink;
   }
   for (int m = 1; m < order; ++m) {
     for (int k = order - 1; k >= m; --k) {
-      re[k] += shift.x * re[k - 1] - shift.y * im[k - 1];
-      im[k] += shift.x * im[k - 1] + shift.y * re[k - 1];
+      re[k] += x * re[k - 1] - y * im[k - 1];
+      im[k] += x * im[k - 1] + y * re[k - 1];
     }
   }
   for (int k = 0; k < order; ++k) {
-    parent[k] += re[k];
-    parent[order + k] += im[k];
+    parent[k] += (re[k][0] + re[k][1]) + (re[k][2] + re[k][3]);
+    parent[order + k] += (im[k][0] + im[k][1]) + (im[k][2] + im[k][3]);
   }
 }
 

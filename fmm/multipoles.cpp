@@ -19,10 +19,10 @@ Multipoles::Multipoles(const tree::Quadtree& tree, const CellShapes& shapes,
     const tree::Range range = tree.level(level);
 #pragma omp parallel for schedule(dynamic, 64)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
+      double* terms = terms_.data() + 2 * std::size_t{c} * static_cast<std::size_t>(order);
+      std::fill_n(terms, 2 * order, 0.0);
       if (cells[c].childless()) add_points(shapes, points, gamma, cells[c].points, c);
-      for (std::uint32_t k = cells[c].children.first; k < cells[c].children.last; ++k) {
-        add_child(shapes, k, c);
-      }
+      if (!cells[c].childless()) add_children(shapes, cells[c].children, c);
     }
   }
 }
@@ -34,13 +34,15 @@ void Multipoles::add_points(const CellShapes& shapes, const SortedPoints& points
       {shapes.x[cell], shapes.y[cell], 1.0 / scale(shapes, cell)}, order_, to);
 }
 
-void Multipoles::add_child(const CellShapes& shapes, std::size_t child, std::size_t cell) {
+void Multipoles::add_children(const CellShapes& shapes, tree::Range children, std::size_t cell) {
   const double h = scale(shapes, cell);
-  double* to = terms_.data() + 2 * cell * static_cast<std::size_t>(order_);
-  m2m(real(child),
-      {(shapes.x[child] - shapes.x[cell]) / h, (shapes.y[child] - shapes.y[cell]) / h,
-       scale(shapes, child) / h},
-      order_, to);
+  M2mChild some[family];
+  for (std::uint32_t k = children.first; k < children.last; ++k) {
+    some[k - children.first] = {real(k), (shapes.x[k] - shapes.x[cell]) / h,
+                                (shapes.y[k] - shapes.y[cell]) / h, scale(shapes, k) / h};
+  }
+  m2m(some, static_cast<int>(children.size()), order_,
+      terms_.data() + 2 * cell * static_cast<std::size_t>(order_));
 }
 
 }  // namespace vortree::fmm

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "fmm/cells.hpp"
 #include "tree/quadtree.hpp"
@@ -32,10 +31,10 @@ class Multipoles {
  private:
   void add_points(const CellShapes& shapes, const SortedPoints& points,
                   std::span<const double> gamma, tree::Range range, std::size_t cell);
-  void add_child(const CellShapes& shapes, std::size_t child, std::size_t cell);
+  void add_children(const CellShapes& shapes, tree::Range children, std::size_t cell);
 
   int order_ = 0;
-  std::vector<double> terms_;
+  Reals terms_;
 };
 
 /// The length a cell's series is scaled by: its radius, or where that is nothing, next to nothing.

@@ -24,12 +24,16 @@ namespace vortree::fmm {
 /// Added to r^2 and S: nothing divides by zero, and a pair at r = 0 ends as finite times zero.
 inline constexpr double tiny = 1e-150;
 
-struct BarePair {
-  /// What a source's squared core is packed as.
-  static double packed_core(double) { return 0.0; }
+/// A pair's weight w. What the kernels ask of a source's S is packed once by packed_core; of the
+/// target's S they ask half.
 
-  template <int rows>
-  static void weigh(const Lanes (&r2)[rows], Lanes, const double*, Lanes gamma, Lanes (&w)[rows]) {
+struct BarePair {
+  static double packed_core(double) { return 0.0; }
+  static float packed_core_single(double) { return 0.0f; }
+
+  template <class Vector, class Number, int rows>
+  static void weigh(const Vector (&r2)[rows], Vector, const Number*, Vector gamma,
+                    Vector (&w)[rows]) {
     for (int i = 0; i < rows; ++i) w[i] = gamma / r2[i];
   }
 };
@@ -37,11 +41,14 @@ struct BarePair {
 template <class Exp>
 struct SourceCorePair {
   static double packed_core(double squared_core) { return 1.0 / (squared_core + tiny); }
+  static float packed_core_single(double squared_core) {
+    return static_cast<float>(1.0 / squared_core);
+  }
 
-  template <int rows>
-  static void weigh(const Lanes (&r2)[rows], Lanes inverse_core, const double*, Lanes gamma,
-                    Lanes (&w)[rows]) {
-    Lanes q[rows], bare[rows];
+  template <class Vector, class Number, int rows>
+  static void weigh(const Vector (&r2)[rows], Vector inverse_core, const Number*, Vector gamma,
+                    Vector (&w)[rows]) {
+    Vector q[rows], bare[rows];
     for (int i = 0; i < rows; ++i) bare[i] = gamma / r2[i];
     for (int i = 0; i < rows; ++i) q[i] = r2[i] * inverse_core;
     core<Exp>(q, w);
@@ -52,20 +59,33 @@ struct SourceCorePair {
 template <class Exp>
 struct MeanCorePair {
   static double packed_core(double squared_core) { return 0.5 * squared_core + tiny; }
+  static float packed_core_single(double squared_core) {
+    return static_cast<float>(0.5 * squared_core);
+  }
 
   /// One division serves both: with d = 1/(r^2 S), 1/S = r^2 d and 1/r^2 = S d.
   template <int rows>
-  static void weigh(const Lanes (&r2)[rows], Lanes half_core, const double* target_core,
+  static void weigh(const Lanes (&r2)[rows], Lanes half_core, const double* half_target_core,
                     Lanes gamma, Lanes (&w)[rows]) {
     Lanes q[rows], bare[rows];
     for (int i = 0; i < rows; ++i) {
-      const Lanes both = half_core + 0.5 * target_core[i];
+      const Lanes both = half_core + half_target_core[i];
       const Lanes inverse = 1.0 / (r2[i] * both);
       q[i] = (r2[i] * inverse) * r2[i];
       bare[i] = (both * inverse) * gamma;
     }
     core<Exp>(q, w);
     for (int i = 0; i < rows; ++i) w[i] *= bare[i];
+  }
+
+  /// In floats two divisions are the faster way.
+  template <int rows>
+  static void weigh(const Singles (&r2)[rows], Singles half_core, const float* half_target_core,
+                    Singles gamma, Singles (&w)[rows]) {
+    Singles q[rows];
+    for (int i = 0; i < rows; ++i) q[i] = r2[i] / (half_core + half_target_core[i]);
+    core<Exp>(q, w);
+    for (int i = 0; i < rows; ++i) w[i] *= gamma / r2[i];
   }
 };
 
@@ -79,6 +99,8 @@ struct NearTargets {
 template <class Pair, int rows>
 inline void p2p_rows(const Packed& sources, const NearTargets& targets, std::size_t first) {
   Lanes u[rows] = {}, v[rows] = {};
+  double half_core[rows];
+  for (int i = 0; i < rows; ++i) half_core[i] = 0.5 * targets.core[first + i];
   for (std::size_t j = 0; j < sources.size(); j += lane_count) {
     const Lanes x = load(sources.x() + j), y = load(sources.y() + j);
     Lanes dx[rows], dy[rows], r2[rows], w[rows];
@@ -87,7 +109,7 @@ inline void p2p_rows(const Packed& sources, const NearTargets& targets, std::siz
       dy[i] = targets.y[first + i] - y;
       r2[i] = dx[i] * dx[i] + (dy[i] * dy[i] + tiny);
     }
-    Pair::weigh(r2, load(sources.core() + j), targets.core + first, load(sources.gamma() + j), w);
+    Pair::weigh(r2, load(sources.core() + j), half_core, load(sources.gamma() + j), w);
     for (int i = 0; i < rows; ++i) {
       u[i] -= w[i] * dy[i];
       v[i] += w[i] * dx[i];

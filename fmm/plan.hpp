@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "fmm/blobs.hpp"
 #include "fmm/evaluate.hpp"
+#include "fmm/reals.hpp"
 #include "fmm/units.hpp"
 #include "tree/quadtree.hpp"
 
@@ -79,7 +79,7 @@ class Plan {
   bool cored_ = false;  // any source has a core
   tree::Quadtree tree_;
   SortedPoints points_;
-  std::vector<double> gamma_;
+  Reals gamma_;
   CellShapes shapes_;
   Multipoles multipoles_;
 };

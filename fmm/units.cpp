@@ -7,9 +7,6 @@
 namespace vortree::fmm {
 namespace {
 
-constexpr double far_away = 1e70;        // a target beyond this many units sees no difference
-constexpr double largest_core2 = 1e120;  // a core that wide moves nothing that double can hold
-
 double largest(std::span<const double> values) {
   double most = 0.0;
   for (const double value : values) most = std::max(most, std::abs(value));
@@ -22,36 +19,23 @@ double extent(std::span<const double> values) {
   return high / 2 - low / 2;
 }
 
-/// Exponent of a power of two near `size`, kept where its reciprocal is a normal number.
-int exponent(double size) {
-  return size > 0.0 ? std::clamp(std::ilogb(size), -1020, 1020) : 0;
+/// A power of two near 1/size, kept where it and its reciprocal are normal numbers.
+double reciprocal(double size) {
+  return size > 0.0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size), -1020, 1020)) : 1.0;
 }
 
 }  // namespace
 
 Units Units::of(const Blobs& blobs) {
   const double size = std::max(extent(blobs.x), extent(blobs.y));
-  return {.length = exponent(size > 0.0 ? size : largest(blobs.sigma)),
-          .gamma = exponent(largest(blobs.gamma))};
-}
-
-double Units::position(double x) const {
-  return std::clamp(x * std::ldexp(1.0, -length), -far_away, far_away);
-}
-
-double Units::circulation(double value) const {
-  return value * std::ldexp(1.0, -gamma);
-}
-
-double Units::squared_core(double sigma) const {
-  const double scaled = std::min(sigma * std::ldexp(1.0, -length), 1e100);
-  return std::min(scaled * scaled, largest_core2);
+  return {.per_length = reciprocal(size > 0.0 ? size : largest(blobs.sigma)),
+          .per_gamma = reciprocal(largest(blobs.gamma))};
 }
 
 void Units::to_velocity(std::span<double> sums) const {
-  const int power = gamma - length;  // in two halves: each is a normal number
+  const int power = std::ilogb(per_length) - std::ilogb(per_gamma);
   const double first = std::ldexp(1.0, power / 2) / (2.0 * std::numbers::pi);
-  const double second = std::ldexp(1.0, power - power / 2);
+  const double second = std::ldexp(1.0, power - power / 2);  // in two halves: each is normal
   for (double& value : sums) value = value * first * second;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "fmm/blobs.hpp"
@@ -11,18 +12,25 @@ namespace vortree::fmm {
 ///
 /// Points nearer than 1e-75 lengths count as coincident, cores below that as bare.
 struct Units {
-  int length = 0;  // exponent of two of the unit, in the user's units
-  int gamma = 0;
+  double per_length = 1.0, per_gamma = 1.0;
 
   /// The units in which the extent of the blobs and their largest |gamma| are near one.
   static Units of(const Blobs& blobs);
 
-  [[nodiscard]] double position(double x) const;
-  [[nodiscard]] double circulation(double gamma) const;
-  [[nodiscard]] double squared_core(double sigma) const;
+  [[nodiscard]] double position(double x) const {
+    return std::clamp(x * per_length, -far_away, far_away);
+  }
+  [[nodiscard]] double circulation(double gamma) const { return gamma * per_gamma; }
+  [[nodiscard]] double squared_core(double sigma) const {
+    const double scaled = std::min(sigma * per_length, widest_core);
+    return scaled * scaled;
+  }
 
   /// u = sum / (2 pi) in the user's units, in place.
   void to_velocity(std::span<double> sums) const;
+
+  static constexpr double far_away = 1e70;     // a target beyond this sees no difference
+  static constexpr double widest_core = 1e60;  // a core that wide moves nothing double can hold
 };
 
 }  // namespace vortree::fmm

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "fmm/cells.hpp"
@@ -66,10 +67,14 @@ void check_ratio(const Side& sources, const Side& targets, tree::Range leaf, std
   if (!(radius <= ratio * distance * (1 + 1e-12))) met.converges = false;
 }
 
-Met meet(const Side& sources, const Side& targets, std::uint32_t leaf,
+/// What `leaf` meets as a part of `block`, which holds it.
+Met meet(const Side& sources, const Side& targets, std::uint32_t block, std::uint32_t leaf,
          const fmm::Acceptance& acceptance) {
+  fmm::SharedInteractions shared;
   fmm::Interactions found;
-  fmm::find_interactions(sources.tree, sources.shapes, box(targets, leaf), acceptance, found);
+  fmm::find_shared(sources.tree, sources.shapes, box(targets, block), acceptance, shared);
+  fmm::find_interactions(sources.tree, sources.shapes, box(targets, leaf), acceptance,
+                         shared.waiting, found);
   Met met{std::vector<int>(sources.points.size())};
   const tree::Range range = targets.tree.cells()[leaf].points;
   const auto count = [&](tree::Range run, bool hidden) {
@@ -78,9 +83,11 @@ Met meet(const Side& sources, const Side& targets, std::uint32_t leaf,
       if (hidden) check_hidden(sources, targets, range, j, acceptance, met);
     }
   };
-  for (const fmm::SeriesCell series : found.series) {
-    count(sources.tree.cells()[series.cell].points, true);
-    check_ratio(sources, targets, range, series.cell, acceptance, met);
+  for (const auto* series : {&shared.series, &found.series}) {
+    for (const fmm::SeriesCell cell : *series) {
+      count(sources.tree.cells()[cell.cell].points, true);
+      check_ratio(sources, targets, range, cell.cell, acceptance, met);
+    }
   }
   for (const tree::Range run : found.bare) count(run, true);
   for (const tree::Range run : found.cored) count(run, false);
@@ -91,10 +98,14 @@ Met meet(const Side& sources, const Side& targets, std::uint32_t leaf,
 void check_lists(const Side& sources, const Side& targets, const fmm::Acceptance& acceptance) {
   bool once = true, hidden = true, converges = true;
   for (const std::uint32_t leaf : targets.tree.childless()) {
-    const Met met = meet(sources, targets, leaf, acceptance);
-    for (const int times : met.times) once = once && times == 1;
-    hidden = hidden && met.cores_hidden;
-    converges = converges && met.converges;
+    std::int32_t block = static_cast<std::int32_t>(leaf);
+    for (int rise = 0; rise < 4 && block >= 0; ++rise) {
+      const Met met = meet(sources, targets, static_cast<std::uint32_t>(block), leaf, acceptance);
+      for (const int times : met.times) once = once && times == 1;
+      hidden = hidden && met.cores_hidden;
+      converges = converges && met.converges;
+      block = targets.tree.cells()[static_cast<std::size_t>(block)].parent;
+    }
   }
   CHECK(once);
   CHECK(hidden);

@@ -113,9 +113,32 @@ TEST_CASE("a shifted multipole is the multipole of the shifted place") {
     fmm::m2m(from, shift, child_h / parent_h, plain);
     std::vector<double> fast(2 * plain.size());
     const std::vector<double> parts = split(from);
-    fmm::m2m(parts.data(), {shift.real(), shift.imag(), child_h / parent_h}, order, fast.data());
+    const fmm::M2mChild one{parts.data(), shift.real(), shift.imag(), child_h / parent_h};
+    fmm::m2m(&one, 1, order, fast.data());
     CHECK(difference(split(plain), cluster.multipole(parent, parent_h, order)) < 1e-13);
     CHECK(difference(fast, plain) < 1e-13);
+  }
+}
+
+TEST_CASE("a family's multipoles add up in their parent, any number of children") {
+  const double child_h = 0.02, parent_h = 0.05;
+  const std::vector<Complex> centres{{0.51, 0.22}, {0.47, 0.25}, {0.5, 0.28}, {0.53, 0.26}};
+  const Complex parent(0.5, 0.25);
+  for (int count = 1; count <= 4; ++count) {
+    std::vector<std::vector<double>> parts;
+    std::vector<fmm::M2mChild> children;
+    std::vector<Complex> plain(26);
+    for (int i = 0; i < count; ++i) {
+      const Complex centre = centres[static_cast<std::size_t>(i)];
+      const std::vector<Complex> from = Cluster(9, centre, child_h).multipole(centre, child_h, 26);
+      const Complex shift = (centre - parent) / parent_h;
+      fmm::m2m(from, shift, child_h / parent_h, plain);
+      parts.push_back(split(from));
+      children.push_back({parts.back().data(), shift.real(), shift.imag(), child_h / parent_h});
+    }
+    std::vector<double> fast(52);
+    fmm::m2m(children.data(), count, 26, fast.data());
+    CHECK(difference(fast, plain) < 1e-14);
   }
 }
 
