@@ -1,60 +1,94 @@
 #include "io/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <charconv>
+#include <limits>
+
+#include "io/files.hpp"
 
 namespace vortree::io {
 namespace {
 
-std::vector<std::string> fields(const std::string& line) {
-  std::vector<std::string> result;
-  std::stringstream in(line);
-  for (std::string field; std::getline(in, field, ',');) result.push_back(field);
-  return result;
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t comma; (comma = line.find(',')) != std::string_view::npos;) {
+    cells.push_back(trimmed(line.substr(0, comma)));
+    line.remove_prefix(comma + 1);
+  }
+  cells.push_back(trimmed(line));
+  return cells;
 }
 
 }  // namespace
 
-Table::Table(const std::filesystem::path& file) : file_(file) {
-  std::ifstream in(file);
-  if (!in) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    if (line.empty() || line.front() == '#') continue;
-    const auto words = fields(line);
-    if (names_.empty()) {
-      names_ = words;
-      continue;
-    }
-    if (words.size() != names_.size())
-      throw InputError(fmt::format("{}:{}: {} values; {} columns were expected", file.string(),
-                                   number, words.size(), names_.size()));
-    for (const std::string& word : words) {
-      char* end = nullptr;
-      values_.push_back(std::strtod(word.c_str(), &end));
-      if (end == word.c_str())
-        throw InputError(
-            fmt::format("{}:{}: '{}' is not a number", file.string(), number, word));
-    }
-  }
-  if (names_.empty()) throw InputError(fmt::format("{}: no line of column names", file.string()));
+std::optional<double> number(std::string_view text) {
+  text = trimmed(text);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
 }
 
-bool Table::has(std::string_view column) const { return std::ranges::count(names_, column) > 0; }
+Table::Table(const std::filesystem::path& file) : file_(file) {
+  const std::string text = read_text(file);
+  int line_number = 0;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    ++line_number;
+    if (line.empty() || line.front() == '#') continue;
+    if (names_.empty()) {
+      for (const std::string_view cell : cells_of(line)) names_.emplace_back(cell);
+    } else {
+      take_row(line, line_number);
+    }
+  }
+  if (names_.empty()) {
+    throw InputError(
+        fmt::format("{} is empty; a line of column names was expected", file.string()));
+  }
+}
+
+void Table::take_row(std::string_view line, int line_number) {
+  const auto refuse = [&](const std::string& words) {
+    throw InputError(fmt::format("{}:{}: {}", file_.string(), line_number, words));
+  };
+  const std::vector<std::string_view> cells = cells_of(line);
+  if (cells.size() != names_.size()) {
+    refuse(fmt::format("{} cells; {} columns were expected", cells.size(), names_.size()));
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto value =
+        cells[i].empty() ? std::numeric_limits<double>::quiet_NaN() : number(cells[i]);
+    if (!value) refuse(fmt::format("{} is \"{}\"; a number was expected", names_[i], cells[i]));
+    values_.push_back(*value);
+  }
+}
+
+bool Table::has(std::string_view column) const {
+  return std::find(names_.begin(), names_.end(), column) != names_.end();
+}
 
 std::vector<double> Table::column(std::string_view name) const {
-  const auto found = std::ranges::find(names_, name);
-  if (found == names_.end())
-    throw InputError(fmt::format("{}: no column {}", file_.string(), name));
-  const auto k = static_cast<std::size_t>(found - names_.begin());
-  std::vector<double> result;
-  for (std::size_t row = 0; row < rows(); ++row) result.push_back(values_[row * names_.size() + k]);
-  return result;
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) {
+    throw InputError(fmt::format("{}: there is no column {}; the file has {}", file_.string(), name,
+                                 fmt::join(names_, ", ")));
+  }
+  const auto at = static_cast<std::size_t>(found - names_.begin());
+  std::vector<double> values;
+  for (std::size_t i = at; i < values_.size(); i += names_.size()) values.push_back(values_[i]);
+  return values;
 }
 
 }  // namespace vortree::io

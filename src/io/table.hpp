@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,22 +11,30 @@
 
 namespace vortree::io {
 
-/// A CSV file of numbers: one line of column names, then rows; lines that begin with # are notes.
+/// A CSV file of numbers: one line of column names, then rows. Lines that begin with # and empty
+/// lines are notes; an empty cell is NaN.
 class Table {
  public:
-  /// throws  InputError naming file and line if it is missing, or a row is not numbers, one a column
+  /// throws  InputError: no such file, no line of names, `file:line: ...` for a row with too few or
+  ///         too many cells or a cell that is no number
   explicit Table(const std::filesystem::path& file);
 
-  std::size_t rows() const { return values_.size() / names_.size(); }
-  bool has(std::string_view column) const;
+  [[nodiscard]] std::size_t rows() const { return values_.size() / names_.size(); }
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] bool has(std::string_view column) const;
 
-  /// throws  InputError if there is no such column
-  std::vector<double> column(std::string_view name) const;
+  /// One column, a value a row. throws InputError with the columns there are if there is none such.
+  [[nodiscard]] std::vector<double> column(std::string_view name) const;
 
  private:
+  void take_row(std::string_view line, int line_number);
+
   std::filesystem::path file_;
   std::vector<std::string> names_;
   std::vector<double> values_;  // row by row
 };
+
+/// The number a text spells from end to end ("nan" and "inf" too, blanks around it allowed).
+[[nodiscard]] std::optional<double> number(std::string_view text);
 
 }  // namespace vortree::io
