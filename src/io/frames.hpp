@@ -36,10 +36,12 @@ struct RunInfo {
 /// Starts DIR/frames.h5 (and DIR/frames.xdmf) with no frames; replaces older ones. DIR is created
 /// if need be.
 ///
-/// Layout: a group `frame_000025` (step number) for each frame with datasets x y gamma sigma u v,
-/// attributes step, time, checksum and a subgroup `state`. What the root needs lies at the
+/// Layout: the run as attributes of the root, the dimensions of the columns as attributes of the
+/// group `units`; a group `frame_000025` (step number) for each frame with datasets x y gamma sigma
+/// u v, attributes step, time, checksum and a subgroup `state`. What the root needs lies at the
 /// beginning of the file, each frame in one piece behind the frame before it: a file cut anywhere
-/// keeps the frames that lie before the cut (the first 4096 of them).
+/// keeps the frames that lie before the cut (the first 4096 of them; more are no error, but a cut
+/// may then cost more than what lay behind it).
 ///
 /// throws  InputError if DIR cannot be created or written
 void create_frames(const std::filesystem::path& dir, const RunInfo&);
