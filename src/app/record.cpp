@@ -1,0 +1,120 @@
+#include "app/record.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "vortex/forces.hpp"
+#include "vortex/near_wake.hpp"
+
+namespace vortree::app {
+
+std::array<double, Record::numbers> Record::values() const {
+  return std::bit_cast<std::array<double, numbers>>(*this);
+}
+
+Record Record::from(std::span<const double> values) {
+  std::array<double, numbers> all;
+  std::ranges::copy(values.first(numbers), all.begin());
+  return std::bit_cast<Record>(all);
+}
+
+std::vector<std::string> Record::names() {
+  return {"t", "T", "blobs", "circulation", "impulse_x", "impulse_y", "second_moment",
+          "cd_impulse", "cd_wall", "cl_impulse", "cl_wall", "bubble_length", "separation_deg",
+          "seconds", "seconds_convect", "seconds_wall", "seconds_split", "seconds_merge",
+          "seconds_output"};
+}
+
+Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
+               std::span<const double> wall_vorticity, const FlowCase& flow) {
+  const vortex::Problem& p = flow.problem;
+  const vortex::Invariants now =
+      vortex::invariants(blobs, p.wall ? &p.wall->shape() : nullptr);
+  Record record;
+  record.t = static_cast<double>(step) * p.dt;
+  record.T = p.wall ? 2 * flow.speed * record.t / flow.diameter : record.t;
+  record.blobs = static_cast<double>(blobs.size());
+  record.circulation = now.circulation;
+  const vortex::Vec2 moment = p.wall ? wake.moment : now.moment;
+  record.impulse_x = moment.y;
+  record.impulse_y = -moment.x;
+  record.second_moment = now.second;
+  if (!p.wall) return record;
+  const vortex::Vec2 pressure = step > 0 ? vortex::pressure_force(wake.sheet, *p.wall, p.dt)
+                                         : vortex::Vec2{};
+  const vortex::Vec2 friction = vortex::friction_force(blobs, *p.wall, p.flow.nu);
+  record.pressure_x = pressure.x;
+  record.pressure_y = pressure.y;
+  record.friction_x = friction.x;
+  record.friction_y = friction.y;
+  if (dot(p.flow.stream, p.flow.stream) > 0) {
+    record.bubble_length = vortex::bubble_length(blobs, p) / flow.diameter;
+    record.separation_deg = vortex::separation_angle(wall_vorticity, *p.wall, p.flow.stream);
+  }
+  return record;
+}
+
+Record History::with_forces(const Record& record, vortex::Vec2 by_impulse,
+                            vortex::Vec2 by_wall) const {
+  Record done = record;
+  if (!flow_.problem.wall) return done;
+  const vortex::Vec2 s = flow_.problem.flow.stream;
+  const double size = std::hypot(s.x, s.y);
+  const vortex::Vec2 along = size > 0 ? (1 / size) * s : vortex::Vec2{1, 0};
+  const vortex::Vec2 across{-along.y, along.x};
+  const double scale = 2 / (flow_.speed * flow_.speed * flow_.diameter);
+  done.cd_impulse = scale * dot(by_impulse, along);
+  done.cl_impulse = scale * dot(by_impulse, across);
+  done.cd_wall = scale * dot(by_wall, along);
+  done.cl_wall = scale * dot(by_wall, across);
+  return done;
+}
+
+namespace {
+
+vortex::Vec2 impulse(const Record& r) { return {r.impulse_x, r.impulse_y}; }
+vortex::Vec2 pressure(const Record& r) { return {r.pressure_x, r.pressure_y}; }
+vortex::Vec2 friction(const Record& r) { return {r.friction_x, r.friction_y}; }
+
+}  // namespace
+
+void History::add(const Record& record, const Write& write) {
+  recent_.push_back(record);
+  if (recent_.size() < 3) return;
+  if (recent_.size() > 3) recent_.pop_front();
+  const Record &before = recent_[0], &now = recent_[1], &after = recent_[2];
+  // A body at rest feels minus the rate of change of the fluid's impulse.
+  const vortex::Vec2 rate =
+      (-1 / (2 * flow_.problem.dt)) * (impulse(after) - impulse(before));
+  write(with_forces(now, rate, 0.5 * (pressure(now) + pressure(after)) + friction(now)));
+}
+
+void History::finish(const Write& write) {
+  if (recent_.size() < 2) return;
+  const double dt = flow_.problem.dt;
+  if (recent_.size() == 2) {
+    const Record &b = recent_[0], &c = recent_[1];
+    write(with_forces(c, (-1 / dt) * (impulse(c) - impulse(b)), pressure(c) + friction(c)));
+    return;
+  }
+  const Record &a = recent_[0], &b = recent_[1], &c = recent_[2];
+  const vortex::Vec2 rate = (-1 / (2 * dt)) *
+                            (3 * impulse(c) - 4 * impulse(b) + impulse(a));
+  write(with_forces(c, rate, 1.5 * pressure(c) - 0.5 * pressure(b) + friction(c)));
+}
+
+std::vector<double> History::saved() const {
+  std::vector<double> values;
+  for (const Record& record : recent_)
+    for (double value : record.values()) values.push_back(value);
+  return values;
+}
+
+void History::restore(std::span<const double> values) {
+  recent_.clear();
+  for (std::size_t k = 0; k + Record::numbers <= values.size(); k += Record::numbers)
+    recent_.push_back(Record::from(values.subspan(k, Record::numbers)));
+}
+
+}  // namespace vortree::app

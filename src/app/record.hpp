@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <deque>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/flow_case.hpp"
+
+namespace vortree::app {
+
+/// What a run measures after each step, as columns of report.csv.
+///
+/// t, T           time, and U t/R (t where there is no body)
+/// blobs          how many
+/// circulation    of blobs and body; stays 0 for an impulsive start
+/// impulse_x, _y  of blobs and sheet, per unit density
+/// second_moment  sum gamma (|X|^2 + sigma^2)
+/// cd_*, cl_*     drag and lift by the rate of change of impulse, and by the wall sheet (pressure)
+///                with the wall vorticity (friction); 0 without a body
+/// bubble_length  in diameters; separation_deg from the rear
+/// seconds        since the start; then by phase, of this step
+struct Record {
+  double t = 0, T = 0, blobs = 0, circulation = 0, impulse_x = 0, impulse_y = 0, second_moment = 0,
+         cd_impulse = 0, cd_wall = 0, cl_impulse = 0, cl_wall = 0, bubble_length = 0,
+         separation_deg = 0, seconds = 0, seconds_convect = 0, seconds_wall = 0, seconds_split = 0,
+         seconds_merge = 0, seconds_output = 0;
+  // Behind the columns: forces per unit density, before they become coefficients.
+  double pressure_x = 0, pressure_y = 0, friction_x = 0, friction_y = 0;
+
+  static constexpr std::size_t columns = 19, numbers = 23;
+  std::array<double, numbers> values() const;
+  static Record from(std::span<const double> values);
+  static std::vector<std::string> names();  ///< of the columns
+};
+
+/// All that can be said of the flow at once; forces by impulse need the neighbors in time.
+Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
+               std::span<const double> wall_vorticity, const FlowCase& flow);
+
+/// Records that wait for the next one, since a force is a rate of change:
+///
+///   C_D(t_n) = 2/(U^2 D) F_n,   F by impulse = (P_{n+1} - P_{n-1})/(2 dt),  P = (-sum gamma y, sum gamma x)
+///                               F by the wall = (pressure of steps n and n+1)/2 + friction at t_n
+///
+/// both O(dt^2); the last record of a run looks back instead.
+class History {
+ public:
+  using Write = std::function<void(const Record&)>;
+
+  explicit History(const FlowCase& flow) : flow_(flow) {}
+
+  void add(const Record& record, const Write& write);
+  void finish(const Write& write);
+
+  /// The waiting records, for a checkpoint.
+  std::vector<double> saved() const;
+  void restore(std::span<const double> values);
+
+ private:
+  Record with_forces(const Record& record, vortex::Vec2 by_impulse, vortex::Vec2 by_wall) const;
+
+  const FlowCase& flow_;
+  std::deque<Record> recent_;  // three at most, the oldest first
+};
+
+}  // namespace vortree::app

@@ -1,0 +1,118 @@
+#include "vortex/near_wake.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "fmm/direct.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+Vec2 centre_of(const Wall& wall) {
+  Vec2 sum;
+  for (std::size_t i = 0; i < wall.panels(); ++i) sum = sum + wall.middle(i);
+  return (1.0 / static_cast<double>(wall.panels())) * sum;
+}
+
+Vec2 unit(Vec2 a) { return (1 / std::hypot(a.x, a.y)) * a; }
+
+/// Distance from `from` along `direction` to the wall (from the inside out).
+double way_out(const Wall& wall, Vec2 from, Vec2 direction) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const Vec2 d = wall.middle(i) - from;
+    farthest = std::max(farthest, std::hypot(d.x, d.y));
+  }
+  double inside = 0, outside = 2 * farthest;
+  for (int k = 0; k < 60; ++k) {
+    const double half = 0.5 * (inside + outside);
+    (wall.shape().nearest(from + half * direction).distance < 0 ? inside : outside) = half;
+  }
+  return outside;
+}
+
+/// Three passes of the weights 1/4, 1/2, 1/4 around the wall.
+std::vector<double> smoothed(std::span<const double> values) {
+  std::vector<double> now(values.begin(), values.end());
+  const std::size_t n = now.size();
+  for (int pass = 0; pass < 3; ++pass) {
+    const std::vector<double> was = now;
+    for (std::size_t i = 0; i < n; ++i)
+      now[i] = 0.25 * was[(i + n - 1) % n] + 0.5 * was[i] + 0.25 * was[(i + 1) % n];
+  }
+  return now;
+}
+
+struct Station {
+  double angle, vorticity;  // from the rear [degrees]; side +1: left of the stream
+};
+
+/// The wall of one side (+1: left of the stream), from the front to the rear.
+std::vector<Station> side_of(std::span<const double> vorticity, const Wall& wall, Vec2 stream,
+                             double side) {
+  const Vec2 rear = unit(stream), left{-rear.y, rear.x}, centre = centre_of(wall);
+  std::vector<Station> stations;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const Vec2 d = wall.middle(i) - centre;
+    const double across = side * dot(d, left);
+    if (across > 0)
+      stations.push_back({std::atan2(across, dot(d, rear)) * 180 / std::numbers::pi,
+                          side * vorticity[i]});
+  }
+  std::ranges::sort(stations, std::greater{}, &Station::angle);
+  return stations;
+}
+
+/// Attached flow has side * vorticity < 0; near the front both are small and say nothing.
+std::optional<double> separation_on(std::span<const Station> stations) {
+  constexpr double front = 150;
+  for (std::size_t k = 1; k < stations.size(); ++k) {
+    const auto [a0, w0] = stations[k - 1];
+    const auto [a1, w1] = stations[k];
+    if (a0 < front && w0 < 0 && w1 >= 0) return a0 + (a1 - a0) * w0 / (w0 - w1);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double bubble_length(const Blobs& blobs, const Problem& p) {
+  const Vec2 downstream = unit(p.flow.stream), centre = centre_of(*p.wall);
+  const double out = way_out(*p.wall, centre, downstream);
+  std::vector<double> length, x, y;
+  for (double s = 0.005 * out; s < 40 * out; s *= 1.03) {
+    const Vec2 at = centre + (out + s) * downstream;
+    length.push_back(s);
+    x.push_back(at.x);
+    y.push_back(at.y);
+  }
+  const Acting at = acting(blobs, &p.wall->shape());
+  Velocities u(x.size());
+  fmm::velocity_direct({at.x, at.y, blobs.gamma, at.sigma}, {x, y, {}}, fmm::Cores::source, u.u,
+                       u.v);
+  const auto along = [&](std::size_t k) {
+    return dot(p.flow.stream + Vec2{u.u[k], u.v[k]}, downstream);
+  };
+  for (std::size_t k = 1; k < length.size(); ++k) {
+    const double before = along(k - 1), after = along(k);
+    if (before < 0 && after >= 0)
+      return length[k - 1] + (length[k] - length[k - 1]) * before / (before - after);
+  }
+  return 0;
+}
+
+double separation_angle(std::span<const double> wall_vorticity, const Wall& wall, Vec2 stream) {
+  const std::vector<double> smooth = smoothed(wall_vorticity);
+  double sum = 0;
+  int found = 0;
+  for (double side : {1.0, -1.0})
+    if (const auto angle = separation_on(side_of(smooth, wall, stream, side))) {
+      sum += *angle;
+      ++found;
+    }
+  return found ? sum / found : 0;
+}
+
+}  // namespace vortree::vortex

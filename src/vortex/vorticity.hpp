@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+
+#include "tree/points.hpp"
+#include "vortex/blobs.hpp"
+#include "vortex/shape.hpp"
+
+namespace vortree::vortex {
+
+/// Vorticity at points of the plane [1/s]: the blobs' Gaussians; next to a wall the folded ones (a blob
+/// and its mirror image at the same distance inside); 0 within the body.
+/// error  1e-10 of the largest single core's vorticity
+void vorticity(const Blobs& blobs, const Shape* wall, tree::Points at, std::span<double> omega);
+
+}  // namespace vortree::vortex
