@@ -46,20 +46,18 @@ TargetBox box(const CellShapes& shapes, std::size_t cell) {
 }
 
 template <int rows>
-void add_series_rows(const SourceSide& sources, std::span<const SeriesCell> series, Batch& batch,
+void add_series_rows(const Sources& sources, std::span<const SeriesCell> series, Batch& batch,
                      std::size_t first) {
   for (const SeriesCell met : series) {
-    const M2pSource source{sources.shapes.x[met.cell],
-                           sources.shapes.y[met.cell],
-                           scale(sources.shapes, met.cell),
-                           sources.multipoles.real(met.cell),
-                           sources.multipoles.imaginary(met.cell),
-                           met.terms};
+    const M2pSource source{
+        sources.at.shapes.x[met.cell],          sources.at.shapes.y[met.cell],
+        scale(sources.at.shapes, met.cell),     sources.multipoles.real(met.cell),
+        sources.multipoles.imaginary(met.cell), met.terms};
     m2p_rows<rows>(source, &batch.x[first], &batch.y[first], &batch.u[first], &batch.v[first]);
   }
 }
 
-void add_series(const SourceSide& sources, std::span<const SeriesCell> series, Batch& batch) {
+void add_series(const Sources& sources, std::span<const SeriesCell> series, Batch& batch) {
   constexpr std::size_t most = 4 * lane_count;
   std::size_t i = 0;
   for (; i + most <= batch.x.size(); i += most) add_series_rows<4>(sources, series, batch, i);
@@ -96,16 +94,16 @@ std::vector<BlockOfLeaves> gather_blocks(const tree::Quadtree& tree) {
 }
 
 template <class Pair>
-void evaluate_leaf(const SourceSide& sources, const TargetSide& targets, std::uint32_t leaf,
+void evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint32_t leaf,
                    const Acceptance& acceptance, bool coarse, Scratch& scratch) {
   const tree::Range range = targets.tree.cells()[leaf].points;
   const TargetBox target = box(targets.shapes, leaf);
-  find_interactions(sources.tree, sources.shapes, target, acceptance, scratch.shared.waiting,
+  find_interactions(sources.at.tree, sources.at.shapes, target, acceptance, scratch.shared.waiting,
                     scratch.found);
   Batch& batch = scratch.leaf;
   batch.take(targets.points, range);
   add_series(sources, scratch.found.series, batch);
-  scratch.near.pack(sources.points, sources.gamma, target, acceptance, scratch.found);
+  scratch.near.pack(sources.at.points, sources.gamma, target, acceptance, scratch.found);
   scratch.near.sum<Pair>(target,
                          {batch.x.data(), batch.y.data(), batch.core.data(), batch.u.data(),
                           batch.v.data(), range.size()},
@@ -113,13 +111,13 @@ void evaluate_leaf(const SourceSide& sources, const TargetSide& targets, std::ui
 }
 
 template <class Pair>
-void evaluate_block(const SourceSide& sources, const TargetSide& targets,
-                    const BlockOfLeaves& block, const Acceptance& acceptance, bool coarse,
-                    Scratch& scratch, std::span<double> u, std::span<double> v) {
+void evaluate_block(const Sources& sources, const Arrangement& targets, const BlockOfLeaves& block,
+                    const Acceptance& acceptance, bool coarse, Scratch& scratch,
+                    std::span<double> u, std::span<double> v) {
   const auto cells = targets.tree.cells();
   const auto order = targets.tree.order();
   const tree::Range all = cells[block.cell].points;
-  find_shared(sources.tree, sources.shapes, box(targets.shapes, block.cell), acceptance,
+  find_shared(sources.at.tree, sources.at.shapes, box(targets.shapes, block.cell), acceptance,
               scratch.shared);
   scratch.block.take(targets.points, all);
   add_series(sources, scratch.shared.series, scratch.block);
@@ -135,9 +133,8 @@ void evaluate_block(const SourceSide& sources, const TargetSide& targets,
 }
 
 template <class Pair>
-void evaluate_with(const SourceSide& sources, const TargetSide& targets,
-                   const Acceptance& acceptance, bool coarse, std::span<double> u,
-                   std::span<double> v) {
+void evaluate_with(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
+                   bool coarse, std::span<double> u, std::span<double> v) {
   const std::vector<BlockOfLeaves> blocks = gather_blocks(targets.tree);
 #pragma omp parallel
   {
@@ -151,7 +148,7 @@ void evaluate_with(const SourceSide& sources, const TargetSide& targets,
 
 }  // namespace
 
-void evaluate(const SourceSide& sources, const TargetSide& targets, const Acceptance& acceptance,
+void evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
               double tolerance, std::span<double> u, std::span<double> v) {
   const bool coarse = tolerance >= coarse_tolerance;
   if (acceptance.reach2 == 0.0) {
@@ -169,8 +166,7 @@ void evaluate(const SourceSide& sources, const TargetSide& targets, const Accept
   }
 }
 
-Work count_work(const SourceSide& sources, const TargetSide& targets,
-                const Acceptance& acceptance) {
+Work count_work(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance) {
   Work work;
   Scratch scratch;
   const auto add = [&](std::span<const SeriesCell> series, std::uint64_t n) {
@@ -178,16 +174,16 @@ Work count_work(const SourceSide& sources, const TargetSide& targets,
     for (const SeriesCell met : series) work.terms += n * static_cast<std::uint64_t>(met.terms);
   };
   for (const BlockOfLeaves& block : gather_blocks(targets.tree)) {
-    find_shared(sources.tree, sources.shapes, box(targets.shapes, block.cell), acceptance,
+    find_shared(sources.at.tree, sources.at.shapes, box(targets.shapes, block.cell), acceptance,
                 scratch.shared);
     add(scratch.shared.series, targets.tree.cells()[block.cell].points.size());
     for (std::uint32_t k = block.first; k < block.last; ++k) {
       const std::uint32_t leaf = targets.tree.childless()[k];
       const std::uint64_t n = targets.tree.cells()[leaf].points.size();
       const TargetBox target = box(targets.shapes, leaf);
-      find_interactions(sources.tree, sources.shapes, target, acceptance, scratch.shared.waiting,
-                        scratch.found);
-      scratch.near.pack(sources.points, sources.gamma, target, acceptance, scratch.found);
+      find_interactions(sources.at.tree, sources.at.shapes, target, acceptance,
+                        scratch.shared.waiting, scratch.found);
+      scratch.near.pack(sources.at.points, sources.gamma, target, acceptance, scratch.found);
       add(scratch.found.series, n);
       work.bare += n * scratch.near.bare();
       work.cored += n * scratch.near.cored();

@@ -3,27 +3,17 @@
 #include <cstdint>
 #include <span>
 
-#include "fmm/cells.hpp"
+#include "fmm/arrangement.hpp"
 #include "fmm/interactions.hpp"
 #include "fmm/multipoles.hpp"
-#include "tree/quadtree.hpp"
 
 namespace vortree::fmm {
 
-/// Sources as the evaluation reads them: everything in Morton order and in Units.
-struct SourceSide {
-  const tree::Quadtree& tree;
-  const CellShapes& shapes;
+/// Sources as the evaluation reads them: gamma in the order of the arrangement.
+struct Sources {
+  const Arrangement& at;
   const Multipoles& multipoles;
-  const SortedPoints& points;
   std::span<const double> gamma;
-};
-
-/// Targets in Morton order; the childless cells of their tree are evaluated one by one.
-struct TargetSide {
-  const tree::Quadtree& tree;
-  const CellShapes& shapes;
-  const SortedPoints& points;
 };
 
 /// How much an evaluation computes.
@@ -39,14 +29,15 @@ struct Work {
 /// Box-to-point evaluation, sums without the factor 1/(2 pi): series of far cells straight to the
 /// targets, near sources one by one.
 ///
+/// targets  the childless cells of their tree are evaluated one by one
 /// u, v     one a target, in input order; overwritten
 /// Each block of leaves is summed by one thread in a fixed order: the result does not depend on the
 /// threads.
-void evaluate(const SourceSide& sources, const TargetSide& targets, const Acceptance& acceptance,
+void evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
               double tolerance, std::span<double> u, std::span<double> v);
 
 /// The work of evaluate(), counted.
-[[nodiscard]] Work count_work(const SourceSide& sources, const TargetSide& targets,
+[[nodiscard]] Work count_work(const Sources& sources, const Arrangement& targets,
                               const Acceptance& acceptance);
 
 }  // namespace vortree::fmm

@@ -4,12 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "fmm/multipole_kernel.hpp"
-#include "tree/build_forward.hpp"
-#include "tree/build_reverse.hpp"
-#include "tree/split_rule.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -43,30 +39,8 @@ Options resolve(Options options, const Blobs& blobs) {
   return options;
 }
 
-tree::Quadtree build(tree::Points points, const Options& options) {
-  const tree::Domain domain = tree::enclose(points);
-  tree::MortonOrder order = tree::morton_order(points, domain, options.finest_level);
-  const tree::SplitRule rule = tree::crowded(options.capacity);
-  return options.builder == Builder::reverse ? tree::build_reverse(std::move(order), rule)
-                                             : tree::build_forward(std::move(order), rule);
-}
-
-SortedPoints sorted(const tree::Quadtree& tree, const Targets& points, const Units& units) {
-  const auto order = tree.order();
-  SortedPoints result{Reals(order.size()), Reals(order.size()), Reals(order.size())};
-  for (std::size_t j = 0; j < order.size(); ++j) {
-    result.x[j] = units.position(points.x[order[j]]);
-    result.y[j] = units.position(points.y[order[j]]);
-    result.core[j] = points.sigma.empty() ? 0.0 : units.squared_core(points.sigma[order[j]]);
-  }
-  return result;
-}
-
-Reals sorted(const tree::Quadtree& tree, std::span<const double> gamma, const Units& units) {
-  const auto order = tree.order();
-  Reals result(order.size());
-  for (std::size_t j = 0; j < order.size(); ++j) result[j] = units.circulation(gamma[order[j]]);
-  return result;
+Growth growth(const Options& options) {
+  return {options.capacity, options.finest_level, options.builder};
 }
 
 Order choose_order(const Options& options) {
@@ -74,8 +48,8 @@ Order choose_order(const Options& options) {
                            : Order::for_tolerance(std::max(options.tolerance, least_tolerance));
 }
 
-bool any_core(const SortedPoints& points) {
-  return std::ranges::any_of(points.core, [](double core) { return core > 0.0; });
+bool any_core(const Arrangement& made) {
+  return made.shapes.size() > 0 && made.shapes.core[0] > 0.0;
 }
 
 }  // namespace
@@ -83,14 +57,10 @@ bool any_core(const SortedPoints& points) {
 Plan::Plan(const Blobs& blobs, const Options& options)
     : options_(resolve(options, blobs)),
       units_(Units::of(blobs)),
-      tree_(build({blobs.x, blobs.y}, options_)),
-      points_(sorted(tree_, Targets{blobs.x, blobs.y, blobs.sigma}, units_)),
-      gamma_(sorted(tree_, blobs.gamma, units_)),
-      shapes_(tree_, points_) {
-  order_ = choose_order(options_);
-  cored_ = any_core(points_);
-  multipoles_ = Multipoles(tree_, shapes_, points_, gamma_, order_.most());
-}
+      order_(choose_order(options_)),
+      blobs_(arrange({blobs.x, blobs.y, blobs.sigma}, units_, growth(options_))),
+      gamma_(arrange_gamma(blobs_.tree, blobs.gamma, units_)),
+      multipoles_(blobs_.tree, blobs_.shapes, blobs_.points, gamma_, order_.most()) {}
 
 Acceptance Plan::acceptance(bool cored) const {
   const double tolerance = std::max(options_.tolerance, least_tolerance);
@@ -98,46 +68,41 @@ Acceptance Plan::acceptance(bool cored) const {
       .order = order_, .reach2 = cored ? std::log(1.0 / tolerance) : 0.0, .cores = options_.cores};
 }
 
-SourceSide Plan::sources() const {
-  return {tree_, shapes_, multipoles_, points_, gamma_};
+void Plan::evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
+                       std::span<double> v) const {
+  evaluate({blobs_, multipoles_, gamma_}, targets, acceptance(cored), options_.tolerance, u, v);
+  units_.to_velocity(u);
+  units_.to_velocity(v);
 }
 
 void Plan::velocity(std::span<double> u, std::span<double> v) const {
   check_result(size(), u, v);
-  evaluate(sources(), {tree_, shapes_, points_}, acceptance(cored_), options_.tolerance, u, v);
-  units_.to_velocity(u);
-  units_.to_velocity(v);
-}
-
-void Plan::velocity_at(const Targets& targets, bool bare, std::span<double> u,
-                       std::span<double> v) const {
-  fmm::check(targets);
-  check_result(targets.size(), u, v);
-  const tree::Quadtree tree = build({targets.x, targets.y}, options_);
-  const SortedPoints points = sorted(tree, targets, units_);
-  const CellShapes shapes(tree, points);
-  const bool cored = cored_ || (options_.cores == Cores::mean && any_core(points));
-  evaluate(sources(), {tree, shapes, points}, acceptance(cored && !bare), options_.tolerance, u, v);
-  units_.to_velocity(u);
-  units_.to_velocity(v);
+  evaluate_at(blobs_, any_core(blobs_), u, v);
 }
 
 void Plan::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
-  velocity_at(targets, false, u, v);
+  fmm::check(targets);
+  check_result(targets.size(), u, v);
+  const Arrangement at = arrange(targets, units_, growth(options_));
+  const bool cored = any_core(blobs_) || (options_.cores == Cores::mean && any_core(at));
+  evaluate_at(at, cored, u, v);
 }
 
 void Plan::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {
-  velocity_at({targets.x, targets.y, {}}, true, u, v);
+  const Targets bare{targets.x, targets.y, {}};
+  fmm::check(bare);
+  check_result(bare.size(), u, v);
+  evaluate_at(arrange(bare, units_, growth(options_)), false, u, v);
 }
 
 Work Plan::work() const {
-  return count_work(sources(), {tree_, shapes_, points_}, acceptance(cored_));
+  return count_work({blobs_, multipoles_, gamma_}, blobs_, acceptance(any_core(blobs_)));
 }
 
 std::size_t Plan::bytes() const {
   const std::size_t per_point = 4 * sizeof(double) + sizeof(tree::Key) + sizeof(std::uint32_t);
   const std::size_t per_cell = sizeof(tree::Cell) + 6 * sizeof(double);
-  return per_point * size() + per_cell * shapes_.size() + multipoles_.bytes();
+  return per_point * size() + per_cell * blobs_.shapes.size() + multipoles_.bytes();
 }
 
 }  // namespace vortree::fmm

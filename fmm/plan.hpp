@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "fmm/arrangement.hpp"
 #include "fmm/blobs.hpp"
 #include "fmm/evaluate.hpp"
 #include "fmm/reals.hpp"
@@ -11,9 +12,6 @@
 #include "tree/quadtree.hpp"
 
 namespace vortree::fmm {
-
-/// Which walk builds the tree; both build the same.
-enum class Builder { reverse, forward };
 
 /// tolerance      what the user is promised (Plan), in (0, 1)
 /// order          terms of a multipole, 1 .. 200; 0: chosen by tolerance for every pair of cells.
@@ -57,30 +55,26 @@ class Plan {
   /// Elsewhere, all cores taken as nothing.
   void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const;
 
-  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  [[nodiscard]] std::size_t size() const { return gamma_.size(); }
   /// The most terms any multipole is evaluated with.
   [[nodiscard]] int order() const { return order_.most(); }
   [[nodiscard]] std::uint32_t capacity() const { return options_.capacity; }
-  [[nodiscard]] const tree::Quadtree& tree() const { return tree_; }
+  [[nodiscard]] const tree::Quadtree& tree() const { return blobs_.tree; }
   /// What velocity(u, v) computes, counted by walking again.
   [[nodiscard]] Work work() const;
   /// Memory held.
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  [[nodiscard]] SourceSide sources() const;
   [[nodiscard]] Acceptance acceptance(bool cored) const;
-  void velocity_at(const Targets& targets, bool bare, std::span<double> u,
+  void evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
                    std::span<double> v) const;
 
   Options options_;
   Units units_;
   Order order_;
-  bool cored_ = false;  // any source has a core
-  tree::Quadtree tree_;
-  SortedPoints points_;
+  Arrangement blobs_;
   Reals gamma_;
-  CellShapes shapes_;
   Multipoles multipoles_;
 };
 
