@@ -40,8 +40,8 @@ struct RunInfo {
 /// group `units`; a group `frame_000025` (step number) for each frame with datasets x y gamma sigma
 /// u v, attributes step, time, checksum and a subgroup `state`. What the root needs lies at the
 /// beginning of the file, each frame in one piece behind the frame before it: a file cut anywhere
-/// keeps the frames that lie before the cut (the first 4096 of them; more are no error, but a cut
-/// may then cost more than what lay behind it).
+/// keeps the frames that lie before the cut. This holds for runs of up to 4096 frames; more are no
+/// error, but then a cut can cost them all (a kill still costs only one).
 ///
 /// throws  InputError if DIR cannot be created or written
 void create_frames(const std::filesystem::path& dir, const RunInfo&);
