@@ -20,7 +20,7 @@ foreach(target_file ${target_files})
   endif()
 endforeach()
 
-run(${CMAKE_COMMAND} -S ${here} -B ${scratch}/build -D CMAKE_PREFIX_PATH=${scratch}/installed
+run(${CMAKE_COMMAND} -G Ninja -S ${here} -B ${scratch}/build -D CMAKE_PREFIX_PATH=${scratch}/installed
     -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS=${flags})
 run(${CMAKE_COMMAND} --build ${scratch}/build)
 run(${scratch}/build/consumer)
