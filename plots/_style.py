@@ -1,0 +1,209 @@
+"""What the figures share: a look, and a way to read the folder that a run leaves."""
+
+import sys
+import tomllib
+from functools import cached_property
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+# Okabe & Ito 2008: told apart by readers of every kind of colour vision.
+BLUE, ORANGE, GREEN, RED, SKY, GREY = ("#0072b2", "#e69f00", "#009e73", "#d55e00", "#56b4e9",
+                                       "#999999")
+INK = "#222222"
+
+matplotlib.rcParams.update({
+    "figure.dpi": 150, "savefig.dpi": 150, "figure.constrained_layout.use": True,
+    "font.family": "STIXGeneral", "mathtext.fontset": "stix", "font.size": 11,
+    "axes.titlesize": 11.5, "axes.labelsize": 11.5, "figure.titlesize": 13,
+    "axes.edgecolor": INK, "axes.labelcolor": INK, "text.color": INK, "axes.linewidth": 0.7,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.axisbelow": True,
+    "axes.grid": True, "grid.color": "#e4e4e4", "grid.linewidth": 0.6,
+    "xtick.color": INK, "ytick.color": INK, "xtick.direction": "out", "ytick.direction": "out",
+    "xtick.labelsize": 10, "ytick.labelsize": 10,
+    "lines.linewidth": 1.4, "legend.frameon": False, "legend.fontsize": 10,
+})
+
+
+class Broken(Exception):
+    """A file that is there but cannot be used; the message is one line that says why."""
+
+
+class Nothing(Exception):
+    """The folder lacks what the figure shows."""
+
+
+def read_csv(path):
+    """Columns of a CSV file by name. Lines that begin with # are notes; a last line that a kill has
+    cut short is left out."""
+    try:
+        text = path.read_text()
+    except (OSError, UnicodeDecodeError) as error:
+        raise Broken(f"{path}: {getattr(error, 'strerror', None) or 'not a text file'}") from None
+    lines = [(n, line) for n, line in enumerate(text.splitlines(), 1)
+             if line.strip() and not line.startswith("#")]
+    if not lines:
+        raise Broken(f"{path}: has no header line")
+    names = lines[0][1].split(",")
+    if not text.endswith("\n") and lines[-1][1].count(",") + 1 < len(names):
+        lines.pop()
+    rows = []
+    for n, line in lines[1:]:
+        try:
+            rows.append([float(word or "nan") for word in line.split(",")])
+        except ValueError:
+            raise Broken(f"{path}:{n}: not a row of numbers: {line[:60]}") from None
+        if len(rows[-1]) != len(names):
+            raise Broken(f"{path}:{n}: {len(rows[-1])} numbers under {len(names)} names")
+    return Table(path, dict(zip(names, np.array(rows).reshape(-1, len(names)).T)))
+
+
+class Table(dict):
+    def __init__(self, path, columns):
+        super().__init__(columns)
+        self.path = path
+
+    def __missing__(self, name):
+        raise Broken(f"{self.path}: has no column \"{name}\"")
+
+
+class Run:
+    """The folder of a run. A file that is not there raises Nothing."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+
+    def file(self, name):
+        path = self.folder / name
+        if not path.exists():
+            raise Nothing
+        return path
+
+    def hdf5(self, name):
+        import h5py
+        path = self.file(name)
+        try:
+            return h5py.File(path, "r", locking=False)
+        except OSError:
+            raise Broken(f"{path}: not a readable HDF5 file") from None
+
+    @cached_property
+    def report(self):
+        table = read_csv(self.file("report.csv"))
+        if table["t"].size == 0:
+            raise Nothing
+        return table
+
+    @cached_property
+    def _attributes(self):
+        with self.hdf5("frames.h5") as file:
+            return {name: value.decode() if isinstance(value, bytes) else value
+                    for name, value in file.attrs.items()}
+
+    @cached_property
+    def scene(self):
+        try:
+            return tomllib.loads(self._attributes["resolved"])
+        except (KeyError, TypeError, tomllib.TOMLDecodeError):
+            raise Broken(f"{self.folder / 'frames.h5'}: holds no resolved scene") from None
+
+    @property
+    def check(self):
+        return self.scene.get("check", {})
+
+    @property
+    def stream(self):
+        return np.array(self.scene["flow"].get("stream", [0.0, 0.0]))
+
+    @property
+    def speed(self):
+        """Of the stream; 1 without one, as in the program's coefficients."""
+        return float(np.hypot(*self.stream)) or 1.0
+
+    @property
+    def body(self):
+        """(radius, centre) of the body; Nothing in free space."""
+        if "body" not in self.scene:
+            raise Nothing
+        body = self.scene["body"]
+        return body["radius"], np.array(body.get("centre", [0.0, 0.0]))
+
+    def reference(self, key):
+        """The reference file that [check] names, or None: it lies beside the scene file, or, when
+        the folder has travelled, among the cases that come with the program."""
+        if key not in self.check:
+            return None
+        written = Path(self.check[key])
+        beside = Path(self._attributes.get("scene_path", "")).parent / written
+        shipped = Path(__file__).resolve().parent.parent / "cases" / written
+        return next((read_csv(path) for path in (beside, shipped) if path.exists()), None)
+
+    def fields(self):
+        """The grids of fields.h5 by ascending time: dictionaries of time, x, y, u, v, omega."""
+        names = ("x", "y", "u", "v", "omega")
+        with self.hdf5("fields.h5") as file:
+            try:
+                found = [{"time": float(g.attrs["time"]), **{n: g[n][()] for n in names}}
+                         for g in file.values()]
+            except (KeyError, OSError):
+                raise Broken(f"{self.folder / 'fields.h5'}: a field is damaged") from None
+        if not found:
+            raise Nothing
+        return sorted(found, key=lambda field: field["time"])
+
+
+def interpolated(x, y, at):
+    """Cubic through the four nearest entries of a table, as the program's own check does it; NaN
+    outside the table."""
+    if len(x) < 4:
+        return np.full(np.shape(at), np.nan)
+    first = np.clip(np.searchsorted(x, at, "right") - 2, 0, len(x) - 4)
+    nodes = [x[first + i] for i in range(4)]
+    total = 0.0
+    for i in range(4):
+        weight = y[first + i]
+        for k in range(4):
+            if k != i:
+                weight = weight * (at - nodes[k]) / (nodes[i] - nodes[k])
+        total = total + weight
+    return np.where((at < x[0] - 1e-9) | (at > x[-1] + 1e-9), np.nan, total)
+
+
+def rms(values):
+    return float(np.sqrt(np.nanmean(np.square(values))))
+
+
+def figure(width, height, title=None):
+    made = Figure(figsize=(width, height))
+    FigureCanvasAgg(made)
+    if title:
+        made.suptitle(title)
+    return made
+
+
+def note(axes, text, x=0.985, y=0.94, **more):
+    """Words in a corner of the axes, on white."""
+    style = {"ha": "right" if x > 0.5 else "left", "va": "top" if y > 0.5 else "bottom",
+             "fontsize": 9.5, "linespacing": 1.35,
+             "bbox": {"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 2}}
+    axes.text(x, y, text, transform=axes.transAxes, **{**style, **more})
+
+
+def main(name, draw):
+    """Runs a script: draw(run) makes the figure, which goes into the folder as `name`."""
+    if len(sys.argv) != 2:
+        sys.exit(f"usage: {sys.argv[0]} DIR   (the folder of a run)")
+    run = Run(sys.argv[1])
+    if not run.folder.is_dir():
+        sys.exit(f"{run.folder}: no such folder")
+    try:
+        made = draw(run)
+    except Nothing:
+        return
+    except Broken as error:
+        sys.exit(str(error))
+    made.savefig(run.folder / name)
+    print(run.folder / name)

@@ -1,0 +1,61 @@
+"""How many blobs the run carries, and where the seconds go."""
+
+import json
+
+import numpy as np
+from _style import BLUE, GREEN, GREY, INK, ORANGE, SKY, Broken, Nothing, figure, main
+
+PHASES = (("convect", "convect: velocities", BLUE), ("wall", "wall: slip and sheet", ORANGE),
+          ("split", "split", GREEN), ("merge", "merge", SKY), ("output", "output", GREY))
+
+
+def draw(run):
+    report = run.report
+    if report["t"].size < 2:
+        raise Nothing
+    bodied = "body" in run.scene
+    time = report["T"] if bodied else report["t"]
+    fig = figure(7.2, 5.4, title(run))
+    top, bottom = fig.subplots(2, 1, sharex=True)
+    thousands = report["blobs"].max() >= 2000
+    top.plot(time, report["blobs"] / (1e3 if thousands else 1), color=INK, lw=1.6)
+    top.set_ylabel("blobs  [thousand]" if thousands else "blobs")
+    top.set_ylim(0, None)
+    top.set_xlim(time[0], time[-1])
+
+    width = time.size // 20
+    layers = [1e3 * smoothed(report[f"seconds_{phase}"], width) for phase, *_ in PHASES]
+    bottom.stackplot(time, layers, labels=[name for _, name, _ in PHASES],
+                     colors=[colour for *_, colour in PHASES], lw=0, step="mid")
+    bottom.legend(loc="lower left", bbox_to_anchor=(-0.01, 0.99), ncol=len(PHASES),
+                  handlelength=1.1, columnspacing=1.4)
+    averaged = f",\nmean over {2 * (width // 2) + 1} steps" if width > 1 else ""
+    bottom.set_ylabel(f"time per step  [ms]{averaged}")
+    bottom.set_ylim(0, None)
+    bottom.set_xlabel("time  $T = Ut/R$" if bodied else "time  $t$")
+    return fig
+
+
+def title(run):
+    """From summary.json, which an unfinished run does not have yet."""
+    report = run.report
+    seconds, threads = report["seconds"][-1], None
+    path = run.folder / "summary.json"
+    if path.exists():
+        try:
+            summary = json.loads(path.read_text())
+            seconds, threads = summary["seconds"]["total"], summary["threads"]
+        except (OSError, ValueError, KeyError, TypeError):
+            raise Broken(f"{path}: not the summary of a run") from None
+    words = f"{report['t'].size} steps, at most {report['blobs'].max():,.0f} blobs, {seconds:.3g} s"
+    return words + (f" on {threads} thread{'s'[:threads > 1]}" if threads else "")
+
+
+def smoothed(values, width):
+    """Mean over the nearest steps, the ends repeated."""
+    half = width // 2
+    window = np.ones(2 * half + 1) / (2 * half + 1)
+    return np.convolve(np.pad(values, half, mode="edge"), window, mode="valid")
+
+
+main("cost.png", draw)
