@@ -92,8 +92,8 @@ inline LaneSet where(Bits condition) {
   return _mm512_movepi64_mask((__m512i)condition);
 }
 
-inline Lanes load(const double* from, LaneSet lanes) {
-  return (Lanes)_mm512_maskz_loadu_pd(static_cast<__mmask8>(lanes), from);
+inline Lanes load(const double* from, LaneSet lanes, double others = 0.0) {
+  return (Lanes)_mm512_mask_loadu_pd((__m512d)fill(others), static_cast<__mmask8>(lanes), from);
 }
 
 /// Stores the chosen lanes next to each other; eight places must be writable.
@@ -109,8 +109,8 @@ inline LaneSet where(Bits condition) {
   return lanes;
 }
 
-inline Lanes load(const double* from, LaneSet lanes) {
-  Lanes a{};
+inline Lanes load(const double* from, LaneSet lanes, double others = 0.0) {
+  Lanes a = fill(others);
   for (int i = 0; i < lane_count; ++i) {
     if (lanes >> i & 1u) a[i] = from[i];
   }

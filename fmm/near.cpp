@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "fmm/units.hpp"
+
 namespace vortree::fmm {
 
 void NearSources::pack(const SortedPoints& points, std::span<const double> gamma,
@@ -10,17 +12,17 @@ void NearSources::pack(const SortedPoints& points, std::span<const double> gamma
   std::size_t shown = 0, near = 0;
   for (const tree::Range run : found.cored) shown += run.size();
   for (const tree::Range run : found.bare) near += run.size();
-  bare_.restart(near + shown);
+  bare_.restart(near);
+  hidden_.restart(shown);
   cored_.restart(shown);
   for (const tree::Range run : found.bare) {
     bare_.add(&points.x[run.first], &points.y[run.first], &gamma[run.first], run.size());
   }
   part(points, gamma, leaf, acceptance, found.cored);
-  bare_.close();
-  cored_.close();
+  for (Packed* sources : {&bare_, &hidden_, &cored_}) sources->close();
 }
 
-/// Far enough from the leaf's box: bare; else cored.
+/// Far enough from the leaf's box: hidden; else cored.
 void NearSources::part(const SortedPoints& points, std::span<const double> gamma,
                        const TargetBox& leaf, const Acceptance& acceptance,
                        std::span<const tree::Range> runs) {
@@ -29,41 +31,28 @@ void NearSources::part(const SortedPoints& points, std::span<const double> gamma
   const double others = acceptance.squared_reach(0.0, leaf.core);
   const double *all_x = points.x.data(), *all_y = points.y.data(), *all_core = points.core.data();
   const TargetBox box = leaf;
-  Packed::Writer bare(bare_), cored(cored_);
+  Packed::Writer hidden(hidden_), cored(cored_);
+  Lanes most = fill(std::max(box.half_x, box.half_y)), least = fill(Units::largest_core);
+  Lanes widest = fill(box.core);
   for (const tree::Range run : runs) {
     for (std::uint32_t j = run.first; j < run.last; j += lane_count) {
       const LaneSet some = first_lanes(run.last - j);
-      const Lanes x = load(all_x + j, some), y = load(all_y + j, some);
-      const Lanes core = load(all_core + j, some), strength = load(gamma.data() + j, some);
-      const Lanes dx = larger(magnitude(x - box.x) - box.half_x, Lanes{});
-      const Lanes dy = larger(magnitude(y - box.y) - box.half_y, Lanes{});
-      const LaneSet hidden = some & where(dx * dx + dy * dy >= core * reach2 + others);
-      bare.add(x, y, strength, hidden);
-      cored.add(x, y, strength, core, some & ~hidden);
+      const Lanes x = load(all_x + j, some, box.x), y = load(all_y + j, some, box.y);
+      const Lanes core = load(all_core + j, some, all_core[j]);
+      const Lanes strength = load(gamma.data() + j, some);
+      const Lanes from_x = magnitude(x - box.x), from_y = magnitude(y - box.y);
+      const Lanes dx = larger(from_x - box.half_x, Lanes{});
+      const Lanes dy = larger(from_y - box.half_y, Lanes{});
+      const LaneSet far = some & where(dx * dx + dy * dy >= core * reach2 + others);
+      hidden.add(x, y, strength, far);
+      cored.add(x, y, strength, core, some & ~far);
+      most = larger(larger(from_x, from_y), most);
+      least = smaller(core, least), widest = larger(core, widest);
     }
   }
-  bare.finish(bare_);
+  hidden.finish(hidden_);
   cored.finish(cored_);
-}
-
-SingleFrame NearSources::frame_of(const TargetBox& leaf) const {
-  Lanes most = fill(std::max(leaf.half_x, leaf.half_y));
-  for (std::size_t j = 0; j < cored_.size(); j += lane_count) {
-    most = larger(magnitude(load(cored_.x() + j) - leaf.x), most);
-    most = larger(magnitude(load(cored_.y() + j) - leaf.y), most);
-  }
-  return {leaf.x, leaf.y, largest(most)};
-}
-
-/// Cores wide enough for the frame, and none beyond the range of floats.
-bool NearSources::fits_single(const SingleFrame& frame, double target_core) const {
-  Lanes least = load(cored_.core()), most = fill(target_core);
-  for (std::size_t j = 0; j < cored_.size(); j += lane_count) {
-    least = smaller(load(cored_.core() + j), least);
-    most = larger(load(cored_.core() + j), most);
-  }
-  const double area = frame.size * frame.size;
-  return area <= widest_frame2 * -largest(-least) && largest(most) <= 1e30 * area;
+  size_ = largest(most), least_core_ = -largest(-least), widest_core_ = largest(widest);
 }
 
 }  // namespace vortree::fmm

@@ -12,41 +12,55 @@ namespace vortree::fmm {
 
 /// The near sums of one target leaf.
 ///
-/// Sources of the near runs are packed side by side and parted anew: in a cell whose cores may
-/// show, most sources are still too far from this leaf for their own core to show there.
+/// Sources of the near runs are packed side by side, and those of cells whose cores may show are
+/// parted anew: most of them are still too far from this leaf for their own core to show there.
 class NearSources {
  public:
-  /// Collects the runs found; cores still as squared sizes.
+  /// Collects the runs found.
   void pack(const SortedPoints& points, std::span<const double> gamma, const TargetBox& leaf,
             const Acceptance& acceptance, const Interactions& found);
 
-  [[nodiscard]] std::size_t bare() const { return bare_.size(); }
+  [[nodiscard]] std::size_t bare() const { return bare_.size() + hidden_.size(); }
   [[nodiscard]] std::size_t cored() const { return cored_.size(); }
 
   /// Adds all of them at the targets. coarse: single precision is exact enough, where it is safe.
   template <class Pair>
   void sum(const TargetBox& leaf, const NearTargets& targets, bool coarse) {
     p2p<BarePair>(bare_, targets);
-    if (cored_.size() == 0) return;
-    const SingleFrame frame = frame_of(leaf);
-    if (coarse && fits_single(frame, leaf.core)) {
-      single_.assign<Pair>(cored_, frame);
-      return p2p_single<Pair>(single_, targets);
+    if (coarse && fits_single()) {
+      const SingleFrame frame{leaf.x, leaf.y, size_};
+      sum_single<BarePair>(hidden_, frame, targets);
+      sum_single<Pair>(cored_, frame, targets);
+    } else {
+      p2p<BarePair>(hidden_, targets);
+      for (std::size_t j = 0; j < padded(cored_.size()); ++j) {
+        cored_.core()[j] = Pair::packed_core(cored_.core()[j]);
+      }
+      p2p<Pair>(cored_, targets);
     }
-    for (std::size_t j = 0; j < padded(cored_.size()); ++j) {
-      cored_.core()[j] = Pair::packed_core(cored_.core()[j]);
-    }
-    p2p<Pair>(cored_, targets);
   }
 
  private:
   void part(const SortedPoints& points, std::span<const double> gamma, const TargetBox& leaf,
             const Acceptance& acceptance, std::span<const tree::Range> runs);
-  [[nodiscard]] SingleFrame frame_of(const TargetBox& leaf) const;
-  [[nodiscard]] bool fits_single(const SingleFrame& frame, double target_core) const;
 
-  Packed bare_, cored_;
+  template <class Pair>
+  void sum_single(const Packed& sources, const SingleFrame& frame, const NearTargets& targets) {
+    single_.assign<Pair>(sources, frame);
+    p2p_single<Pair>(single_, targets);
+  }
+
+  /// Cores wide enough for the frame, and none beyond the range of floats. Hidden sources, too, are
+  /// then far enough: their distance is several of their cores.
+  [[nodiscard]] bool fits_single() const {
+    return size_ > 0.0 && size_ * size_ <= widest_frame2 * least_core_ &&
+           widest_core_ <= 1e30 * size_ * size_;
+  }
+
+  Packed bare_, hidden_, cored_;
   SinglePacked single_;
+  double size_ = 0.0;  // no parted source or target is farther from the middle, in x or in y
+  double least_core_ = 0.0, widest_core_ = 0.0;
 };
 
 }  // namespace vortree::fmm

@@ -25,7 +25,7 @@ namespace vortree::fmm {
 
 /// The ratio up to which cells meet by series when the order is chosen by tolerance, the cheapest
 /// on average between few terms of small cells and many terms of large ones.
-inline constexpr double widest_ratio = 0.6;
+inline constexpr double widest_ratio = 0.65;
 
 /// The paper's rule, one cell apart: half the diagonal over one and a half sides.
 inline constexpr double one_cell_apart = 0.47140452079103168;

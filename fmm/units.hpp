@@ -22,15 +22,15 @@ struct Units {
   }
   [[nodiscard]] double circulation(double gamma) const { return gamma * per_gamma; }
   [[nodiscard]] double squared_core(double sigma) const {
-    const double scaled = std::min(sigma * per_length, widest_core);
-    return scaled * scaled;
+    const double scaled = sigma * per_length;
+    return std::min(scaled * scaled, largest_core);
   }
 
   /// u = sum / (2 pi) in the user's units, in place.
   void to_velocity(std::span<double> sums) const;
 
-  static constexpr double far_away = 1e70;     // a target beyond this sees no difference
-  static constexpr double widest_core = 1e60;  // a core that wide moves nothing double can hold
+  static constexpr double far_away = 1e70;       // a target beyond this sees no difference
+  static constexpr double largest_core = 1e120;  // so wide, it moves nothing double can hold
 };
 
 }  // namespace vortree::fmm

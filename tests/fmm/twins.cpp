@@ -7,6 +7,7 @@
 #include "fmm/multipole_kernel.hpp"
 #include "fmm/operators.hpp"
 #include "fmm/p2p_kernel.hpp"
+#include "fmm/p2p_single_kernel.hpp"
 #include "fmm/reference.hpp"
 #include "point_sets.hpp"
 
@@ -209,5 +210,34 @@ TEST_CASE("near sums by lanes equal long double sums, pair by pair") {
       CHECK(p2p_error<fmm::MeanCorePair<fmm::FineExp>>(sources, targets, mean, true) < 1e-14);
       CHECK(p2p_error<fmm::MeanCorePair<fmm::CoarseExp>>(sources, targets, mean, true) < 2e-8);
     }
+  }
+}
+
+TEST_CASE("single near sums of wide cores agree with double ones to single precision") {
+  test::Uniform uniform(8);
+  for (const std::size_t n : {1u, 15u, 16u, 300u}) {
+    std::vector<double> x, y, core, u(n), v(n), single_u(n), single_v(n);
+    fmm::Packed plain, packed;
+    plain.restart(n), packed.restart(n);
+    for (std::size_t j = 0; j < n; ++j) {
+      x.push_back(1e3 + 1e-3 * uniform()), y.push_back(1e-3 * uniform());
+      core.push_back(std::pow(1e-4 * (1.0 + 9.0 * uniform()), 2));
+      const double gamma = 2 * uniform() - 1;
+      plain.add(x[j], y[j], gamma, core[j]);
+      packed.add(x[j], y[j], gamma, fmm::MeanCorePair<fmm::FineExp>::packed_core(core[j]));
+    }
+    plain.close(), packed.close();
+    fmm::p2p<fmm::MeanCorePair<fmm::FineExp>>(
+        packed, {x.data(), y.data(), core.data(), u.data(), v.data(), n});
+    fmm::SinglePacked single;
+    single.assign<fmm::MeanCorePair<fmm::CoarseExp>>(plain, {1e3 + 5e-4, 5e-4, 5e-4});
+    fmm::p2p_single<fmm::MeanCorePair<fmm::CoarseExp>>(
+        single, {x.data(), y.data(), core.data(), single_u.data(), single_v.data(), n});
+    double wrong = 0.0, whole = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      wrong += std::pow(single_u[i] - u[i], 2) + std::pow(single_v[i] - v[i], 2);
+      whole += u[i] * u[i] + v[i] * v[i];
+    }
+    CHECK(std::sqrt(wrong) <= 3e-7 * std::sqrt(whole));
   }
 }
