@@ -24,13 +24,14 @@ def draw(run):
     top.set_xlim(time[0], time[-1])
 
     width = time.size // 20
-    layers = [1e3 * smoothed(report[f"seconds_{phase}"], width) for phase, *_ in PHASES]
-    bottom.stackplot(time, layers, labels=[name for _, name, _ in PHASES],
+    layers = np.array([smoothed(report[f"seconds_{phase}"], width) for phase, *_ in PHASES])
+    unit, size = ("s", 1) if layers.sum(axis=0).max() >= 2 else ("ms", 1e3)
+    bottom.stackplot(time, size * layers, labels=[name for _, name, _ in PHASES],
                      colors=[colour for *_, colour in PHASES], lw=0, step="mid")
     bottom.legend(loc="lower left", bbox_to_anchor=(-0.01, 0.99), ncol=len(PHASES),
                   handlelength=1.1, columnspacing=1.4)
     averaged = f",\nmean over {2 * (width // 2) + 1} steps" if width > 1 else ""
-    bottom.set_ylabel(f"time per step  [ms]{averaged}")
+    bottom.set_ylabel(f"time per step  [{unit}]{averaged}", linespacing=1.3)
     bottom.set_ylim(0, None)
     bottom.set_xlabel("time  $T = Ut/R$" if bodied else "time  $t$")
     return fig

@@ -1,7 +1,7 @@
 """The drag keeps to the reference, by both routes: rate of change of impulse, and wall sheet."""
 
 import numpy as np
-from _style import BLUE, INK, ORANGE, Nothing, figure, interpolated, main, note, rms
+from _style import BLUE, INK, ORANGE, Nothing, figure, interpolated, main, rms
 
 ROUTES = (("cd_impulse", "by impulse", BLUE, 1.8), ("cd_wall", "at the wall", ORANGE, 1.0))
 
@@ -24,7 +24,7 @@ def draw(run):
     top.set_xlim(start, T[-1])
     if reference:
         compare(top, bottom, reference, T, {c: report[c][shown] for c, *_ in ROUTES})
-    top.legend(loc="lower right")
+    top.legend(loc="best")
     return fig
 
 
@@ -35,15 +35,14 @@ def compare(top, bottom, reference, T, drag):
     bottom.axhspan(-2, 2, color="#f1f1f1", lw=0)
     bottom.axhspan(-1, 1, color="#e4e4e4", lw=0)
     bottom.axhline(0, color=INK, lw=0.6)
-    words, largest = [], 2.0
-    for column, name, colour, width in ROUTES:
+    largest = 2.0
+    for line, (column, name, colour, width) in zip(top.lines, ROUTES):
         deviation = 100 * (drag[column] / interpolated(reference["T"], reference["C_D"], T) - 1)
         bottom.plot(T, deviation, color=colour, lw=width * 0.75)
         if np.isfinite(deviation).any():
             most = np.nanmax(np.abs(deviation))
             largest = max(largest, most)
-            words.append(f"{name}: rms {rms(deviation):.2f} %, largest {most:.2f} %")
-    note(top, "deviation from the reference\n" + "\n".join(words), x=0.03, y=0.95)
+            line.set_label(f"{name}: off by {rms(deviation):.2f} % rms, {most:.2f} % at most")
     bottom.set_ylim(-1.15 * largest, 1.15 * largest)
     bottom.set_ylabel("deviation  [%]")
     bottom.grid(axis="y", visible=False)

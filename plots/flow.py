@@ -13,16 +13,8 @@ COLOURS = LinearSegmentedColormap.from_list("vorticity", [
 
 
 def draw(run):
-    fields = run.fields()
-    if len(fields) > MOST:
-        fields = [fields[i] for i in np.linspace(0, len(fields) - 1, MOST).round().astype(int)]
     body = "body" in run.scene
-    length, centre = run.body if body else (1.0, np.zeros(2))
-    unit = length / run.speed if body else 1.0
-    for field in fields:  # from here on in units of R and U, from the centre of the body
-        field.update(x=(field["x"] - centre[0]) / length, y=(field["y"] - centre[1]) / length,
-                     u=field["u"] / run.speed, v=field["v"] / run.speed, time=field["time"] / unit,
-                     omega=field["omega"] * unit)
+    fields = scaled(run, body)
     clip = scale(fields, body)
     box = window(fields, body, 0.02 * clip)
     columns = min(2, len(fields))
@@ -36,7 +28,7 @@ def draw(run):
             streamlines(axes, field, run.stream / run.speed)
         if body:
             axes.add_patch(Circle((0, 0), 1, facecolor="#4d4d4d", edgecolor=INK, lw=0.8, zorder=3))
-        axes.set_title(f"$T = {field['time']:.3g}$" if body else f"$t = {field['time']:.3g}$")
+        axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$")
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
         axes.grid(False)
     for axes in grid.flat[len(fields):]:
@@ -52,13 +44,27 @@ def draw(run):
     return fig
 
 
+def scaled(run, body):
+    """The fields to show; with a body from its centre, in units of its radius and the stream."""
+    fields = run.fields()
+    if len(fields) > MOST:
+        fields = [fields[i] for i in np.linspace(0, len(fields) - 1, MOST).round().astype(int)]
+    length, centre = run.body if body else (1.0, np.zeros(2))
+    speed = run.speed if body else 1.0
+    return [{"x": (f["x"] - centre[0]) / length, "y": (f["y"] - centre[1]) / length,
+             "u": f["u"] / speed, "v": f["v"] / speed, "omega": f["omega"] * length / speed,
+             "time": f["time"] * speed / length} for f in fields]
+
+
 def scale(fields, body):
-    """The strongest vorticity away from the wall, in round numbers; at the wall there is more."""
-    most = 0.0
+    """Where the colours end, in round numbers. With a body the thin layers at the wall go far
+    beyond: the scale serves the wake, 0.7 of the typical peak away from the wall."""
+    peaks = []
     for field in fields:
         X, Y = np.meshgrid(field["x"], field["y"])
         away = np.hypot(X, Y) > (1.25 if body else 0)
-        most = max(most, np.abs(field["omega"][away]).max())
+        peaks.append(np.abs(field["omega"][away]).max(initial=0))
+    most = 0.7 * np.median(peaks) if body else max(peaks)
     if not 0 < most < np.inf:
         raise Nothing
     steps = np.outer(10.0**np.arange(-9, 10), [1, 1.5, 2, 3, 4, 5, 6, 8]).ravel()
