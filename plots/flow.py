@@ -33,8 +33,9 @@ def draw(run):
         axes.grid(False)
     for axes in grid.flat[len(fields):]:
         axes.set_visible(False)
-    for axes in grid[-1]:
+    for axes in grid.flat[max(0, len(fields) - columns):len(fields)]:
         axes.set_xlabel("$x/R$" if body else "$x$")
+        axes.tick_params(labelbottom=True)
     for axes in grid[:, 0]:
         axes.set_ylabel("$y/R$" if body else "$y$")
     bar = fig.colorbar(picture, ax=grid, shrink=0.8, aspect=32, pad=0.012,
