@@ -4,38 +4,21 @@
 #include <cstddef>
 #include <vector>
 
-#include "fmm/multipole_kernel.hpp"
+#include "fmm/batch.hpp"
+#include "fmm/far.hpp"
 #include "fmm/near.hpp"
 
 namespace vortree::fmm {
 namespace {
 
-/// From this tolerance on, cored near sums may be single and their exponential shorter.
-constexpr double coarse_tolerance = 1e-6;
-
 /// Leaves share their far cells in blocks of at most so many targets.
 constexpr std::uint32_t block_size = 256;
-
-/// Targets in a row, filled up to whole vectors, and their sums.
-struct Batch {
-  std::vector<double> x, y, core, u, v;
-
-  void take(const SortedPoints& points, tree::Range range) {
-    const std::size_t n = range.size(), whole = padded(n);
-    for (auto* values : {&x, &y, &core}) values->resize(whole);
-    for (auto* values : {&u, &v}) values->assign(whole, 0.0);
-    std::copy_n(&points.x[range.first], n, x.data());
-    std::copy_n(&points.y[range.first], n, y.data());
-    std::copy_n(&points.core[range.first], n, core.data());
-    std::fill(x.begin() + static_cast<std::ptrdiff_t>(n), x.end(), x[n - 1]);
-    std::fill(y.begin() + static_cast<std::ptrdiff_t>(n), y.end(), y[n - 1]);
-  }
-};
 
 /// What a thread needs for one block, kept for the next one.
 struct Scratch {
   SharedInteractions shared;
   Interactions found;
+  FarSums far;
   NearSources near;
   Batch block, leaf;
 };
@@ -43,34 +26,6 @@ struct Scratch {
 TargetBox box(const CellShapes& shapes, std::size_t cell) {
   return {shapes.x[cell], shapes.y[cell], shapes.half_x[cell], shapes.half_y[cell],
           shapes.core[cell]};
-}
-
-template <int rows>
-void add_series_rows(const Sources& sources, std::span<const SeriesCell> series, Batch& batch,
-                     std::size_t first) {
-  for (const SeriesCell met : series) {
-    const M2pSource source{
-        sources.at.shapes.x[met.cell],          sources.at.shapes.y[met.cell],
-        scale(sources.at.shapes, met.cell),     sources.multipoles.real(met.cell),
-        sources.multipoles.imaginary(met.cell), met.terms};
-    m2p_rows<rows>(source, &batch.x[first], &batch.y[first], &batch.u[first], &batch.v[first]);
-  }
-}
-
-void add_series(const Sources& sources, std::span<const SeriesCell> series, Batch& batch) {
-  constexpr std::size_t most = 4 * lane_count;
-  std::size_t i = 0;
-  for (; i + most <= batch.x.size(); i += most) add_series_rows<4>(sources, series, batch, i);
-  switch ((batch.x.size() - i) / lane_count) {
-    case 3:
-      return add_series_rows<3>(sources, series, batch, i);
-    case 2:
-      return add_series_rows<2>(sources, series, batch, i);
-    case 1:
-      return add_series_rows<1>(sources, series, batch, i);
-    default:
-      return;
-  }
 }
 
 /// A cell of the target tree with no more than block_size targets, or childless; its leaves.
@@ -101,8 +56,8 @@ void evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint
   find_interactions(sources.at.tree, sources.at.shapes, target, acceptance, scratch.shared.waiting,
                     scratch.found);
   Batch& batch = scratch.leaf;
-  batch.take(targets.points, range);
-  add_series(sources, scratch.found.series, batch);
+  batch.take(targets.points, range, target);
+  scratch.far.add(sources.at.shapes, sources.multipoles, scratch.found.series, batch);
   scratch.near.pack(sources.at.points, sources.gamma, target, acceptance, scratch.found);
   scratch.near.sum<Pair>(target,
                          {batch.x.data(), batch.y.data(), batch.core.data(), batch.u.data(),
@@ -117,10 +72,10 @@ void evaluate_block(const Sources& sources, const Arrangement& targets, const Bl
   const auto cells = targets.tree.cells();
   const auto order = targets.tree.order();
   const tree::Range all = cells[block.cell].points;
-  find_shared(sources.at.tree, sources.at.shapes, box(targets.shapes, block.cell), acceptance,
-              scratch.shared);
-  scratch.block.take(targets.points, all);
-  add_series(sources, scratch.shared.series, scratch.block);
+  const TargetBox around = box(targets.shapes, block.cell);
+  find_shared(sources.at.tree, sources.at.shapes, around, acceptance, scratch.shared);
+  scratch.block.take(targets.points, all, around);
+  scratch.far.add(sources.at.shapes, sources.multipoles, scratch.shared.series, scratch.block);
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     const std::uint32_t leaf = targets.tree.childless()[k];
     evaluate_leaf<Pair>(sources, targets, leaf, acceptance, coarse, scratch);
@@ -149,8 +104,7 @@ void evaluate_with(const Sources& sources, const Arrangement& targets, const Acc
 }  // namespace
 
 void evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
-              double tolerance, std::span<double> u, std::span<double> v) {
-  const bool coarse = tolerance >= coarse_tolerance;
+              bool coarse, std::span<double> u, std::span<double> v) {
   if (acceptance.reach2 == 0.0) {
     evaluate_with<BarePair>(sources, targets, acceptance, coarse, u, v);
   } else if (acceptance.cores == Cores::mean) {

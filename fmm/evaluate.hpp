@@ -30,11 +30,12 @@ struct Work {
 /// targets, near sources one by one.
 ///
 /// targets  the childless cells of their tree are evaluated one by one
+/// coarse   single precision is exact enough for cored near sums
 /// u, v     one a target, in input order; overwritten
 /// Each block of leaves is summed by one thread in a fixed order: the result does not depend on the
 /// threads.
 void evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
-              double tolerance, std::span<double> u, std::span<double> v);
+              bool coarse, std::span<double> u, std::span<double> v);
 
 /// The work of evaluate(), counted.
 [[nodiscard]] Work count_work(const Sources& sources, const Arrangement& targets,

@@ -21,7 +21,6 @@ using Bits [[gnu::vector_size(64)]] = std::int64_t;
 inline constexpr int single_count = 16;
 using Singles [[gnu::vector_size(64)]] = float;
 using SingleBits [[gnu::vector_size(64)]] = std::int32_t;
-using HalfSingles [[gnu::vector_size(32)]] = float;
 
 inline Lanes load(const double* from) {
   Lanes a;
@@ -65,12 +64,18 @@ inline double largest(Lanes a) {
 inline double sum(Lanes a) {
   return ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7]));
 }
+
+/// The first and the last eight of sixteen floats, as doubles.
+inline Lanes low(Singles a) {
+  return __builtin_convertvector(__builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7), Lanes);
+}
+inline Lanes high(Singles a) {
+  return __builtin_convertvector(__builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15),
+                                 Lanes);
+}
+
 inline double sum(Singles a) {
-  const Lanes low =
-      __builtin_convertvector(__builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7), Lanes);
-  const Lanes high =
-      __builtin_convertvector(__builtin_shufflevector(a, a, 8, 9, 10, 11, 12, 13, 14, 15), Lanes);
-  return sum(low + high);
+  return sum(low(a) + high(a));
 }
 
 /// n rounded up to whole vectors.

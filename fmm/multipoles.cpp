@@ -12,8 +12,11 @@ double scale(const CellShapes& shapes, std::size_t cell) {
 }
 
 Multipoles::Multipoles(const tree::Quadtree& tree, const CellShapes& shapes,
-                       const SortedPoints& points, std::span<const double> gamma, int order)
-    : order_(order), terms_(2 * tree.cells().size() * static_cast<std::size_t>(order)) {
+                       const SortedPoints& points, std::span<const double> gamma, int order,
+                       bool single)
+    : order_(order),
+      terms_(2 * tree.cells().size() * static_cast<std::size_t>(order)),
+      singles_(single ? terms_.size() : 0) {
   const auto cells = tree.cells();
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range range = tree.level(level);
@@ -23,6 +26,7 @@ Multipoles::Multipoles(const tree::Quadtree& tree, const CellShapes& shapes,
       std::fill_n(terms, 2 * order, 0.0);
       if (cells[c].childless()) add_points(shapes, points, gamma, cells[c].points, c);
       if (!cells[c].childless()) add_children(shapes, cells[c].children, c);
+      if (single) std::copy_n(terms, 2 * order, singles_.data() + (terms - terms_.data()));
     }
   }
 }

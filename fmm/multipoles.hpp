@@ -17,16 +17,23 @@ class Multipoles {
   /// The upward pass: P2M in childless cells, M2M from level to level. Threads share the cells of a
   /// level; every cell is summed by one thread in a fixed order.
   ///
-  /// gamma   circulations in the order of points
+  /// gamma    circulations in the order of points
+  /// single   hold the result in single precision, too
   Multipoles(const tree::Quadtree& tree, const CellShapes& shapes, const SortedPoints& points,
-             std::span<const double> gamma, int order);
+             std::span<const double> gamma, int order, bool single);
 
   [[nodiscard]] int order() const { return order_; }
   [[nodiscard]] const double* real(std::size_t cell) const {
     return terms_.data() + 2 * cell * static_cast<std::size_t>(order_);
   }
   [[nodiscard]] const double* imaginary(std::size_t cell) const { return real(cell) + order_; }
-  [[nodiscard]] std::size_t bytes() const { return terms_.capacity() * sizeof(double); }
+  [[nodiscard]] bool in_single() const { return !singles_.empty(); }
+  [[nodiscard]] const float* single(std::size_t cell) const {
+    return singles_.data() + 2 * cell * static_cast<std::size_t>(order_);
+  }
+  [[nodiscard]] std::size_t bytes() const {
+    return terms_.capacity() * sizeof(double) + singles_.capacity() * sizeof(float);
+  }
 
  private:
   void add_points(const CellShapes& shapes, const SortedPoints& points,
@@ -35,6 +42,7 @@ class Multipoles {
 
   int order_ = 0;
   Reals terms_;
+  std::vector<float, Untouched<float>> singles_;
 };
 
 /// The length a cell's series is scaled by: its radius, or where that is nothing, next to nothing.

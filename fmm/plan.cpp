@@ -39,6 +39,13 @@ Options resolve(Options options, const Blobs& blobs) {
   return options;
 }
 
+/// From here on single precision is exact enough: its errors are a tenth of the tolerance.
+constexpr double coarse_tolerance = 1e-6;
+
+bool coarse(const Options& options) {
+  return options.order == 0 && options.tolerance >= coarse_tolerance;
+}
+
 Growth growth(const Options& options) {
   return {options.capacity, options.finest_level, options.builder};
 }
@@ -60,7 +67,8 @@ Plan::Plan(const Blobs& blobs, const Options& options)
       order_(choose_order(options_)),
       blobs_(arrange({blobs.x, blobs.y, blobs.sigma}, units_, growth(options_))),
       gamma_(arrange_gamma(blobs_.tree, blobs.gamma, units_)),
-      multipoles_(blobs_.tree, blobs_.shapes, blobs_.points, gamma_, order_.most()) {}
+      multipoles_(blobs_.tree, blobs_.shapes, blobs_.points, gamma_, order_.most(),
+                  coarse(options_)) {}
 
 Acceptance Plan::acceptance(bool cored) const {
   const double tolerance = std::max(options_.tolerance, least_tolerance);
@@ -70,7 +78,7 @@ Acceptance Plan::acceptance(bool cored) const {
 
 void Plan::evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
                        std::span<double> v) const {
-  evaluate({blobs_, multipoles_, gamma_}, targets, acceptance(cored), options_.tolerance, u, v);
+  evaluate({blobs_, multipoles_, gamma_}, targets, acceptance(cored), coarse(options_), u, v);
   units_.to_velocity(u);
   units_.to_velocity(v);
 }

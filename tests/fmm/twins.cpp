@@ -5,6 +5,7 @@
 
 #include "fmm/core_kernel.hpp"
 #include "fmm/multipole_kernel.hpp"
+#include "fmm/multipole_single_kernel.hpp"
 #include "fmm/operators.hpp"
 #include "fmm/p2p_kernel.hpp"
 #include "fmm/p2p_single_kernel.hpp"
@@ -166,6 +167,35 @@ TEST_CASE("M2P of enough terms equals the long double sum, and its rows agree") 
     const double scale = 25.0 / h;
     CHECK(std::abs(plain - Complex(exact)) < 1e-14 * scale);
     CHECK(std::abs(Complex(v[i], u[i]) - plain) < 1e-14 * scale);
+  }
+}
+
+TEST_CASE("M2P in single precision agrees with double to single precision") {
+  const Complex centre(-2.0, 1.0);
+  const double h = 1e-3, size = 5e-3;
+  const std::vector<double> parts = split(Cluster(25, centre, h).multipole(centre, h, 30));
+  const std::vector<float> singles(parts.begin(), parts.end());
+  constexpr std::size_t n = 4 * fmm::single_count;
+  double x[n], y[n], u[n] = {}, v[n] = {}, single_u[n] = {}, single_v[n] = {};
+  float frame_x[n], frame_y[n];
+  test::Uniform uniform(6);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Complex away = std::polar(1.7 * h + size * uniform(), 7.0 * uniform());
+    x[i] = centre.real() + away.real(), y[i] = centre.imag() + away.imag();
+    frame_x[i] = static_cast<float>(away.real() / size);
+    frame_y[i] = static_cast<float>(away.imag() / size);
+  }
+  fmm::m2p_rows<4>({centre.real(), centre.imag(), h, parts.data(), parts.data() + 30, 30}, x, y, u,
+                   v);
+  fmm::m2p_rows<4>({centre.real(), centre.imag(), h, parts.data(), parts.data() + 30, 30}, x + 32,
+                   y + 32, u + 32, v + 32);
+  const fmm::M2pSingleSource source{
+      0.0f, 0.0f, static_cast<float>(h / size), 1.0 / h, singles.data(), singles.data() + 30, 30};
+  fmm::m2p_single_rows<3>(source, frame_x, frame_y, single_u, single_v);
+  fmm::m2p_single_rows<1>(source, frame_x + 48, frame_y + 48, single_u + 48, single_v + 48);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double scale = 25.0 / std::hypot(x[i] - centre.real(), y[i] - centre.imag());
+    CHECK(std::hypot(single_u[i] - u[i], single_v[i] - v[i]) < 3e-7 * scale);
   }
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fmm/batch.hpp"
+#include "fmm/cells.hpp"
+#include "fmm/interactions.hpp"
+#include "fmm/multipoles.hpp"
+
+namespace vortree::fmm {
+
+/// Sums of series at the targets of a block or leaf.
+class FarSums {
+ public:
+  /// Adds the velocities (times 2 pi) of the series cells. In single precision if the multipoles
+  /// are held in it, but for cells too small against the batch for its range.
+  void add(const CellShapes& shapes, const Multipoles& multipoles,
+           std::span<const SeriesCell> series, Batch& batch);
+
+ private:
+  void take_single(const Batch& batch);
+
+  std::vector<float> x_, y_;  // targets from the middle of the batch, in lengths of size_
+  double size_ = 1.0;
+};
+
+}  // namespace vortree::fmm
