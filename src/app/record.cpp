@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "vortex/forces.hpp"
 #include "vortex/near_wake.hpp"
 
 namespace vortree::app {
@@ -27,7 +26,7 @@ std::vector<std::string> Record::names() {
 }
 
 Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
-               std::span<const double> wall_vorticity, const FlowCase& flow) {
+               const FlowCase& flow) {
   const vortex::Problem& p = flow.problem;
   const vortex::Invariants now =
       vortex::invariants(blobs, p.wall ? &p.wall->shape() : nullptr);
@@ -41,16 +40,13 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
   record.impulse_y = -moment.x;
   record.second_moment = now.second;
   if (!p.wall) return record;
-  const vortex::Vec2 pressure = step > 0 ? vortex::pressure_force(wake.sheet, *p.wall, p.dt)
-                                         : vortex::Vec2{};
-  const vortex::Vec2 friction = vortex::friction_force(blobs, *p.wall, p.flow.nu);
-  record.pressure_x = pressure.x;
-  record.pressure_y = pressure.y;
-  record.friction_x = friction.x;
-  record.friction_y = friction.y;
+  record.pressure_x = wake.pressure.x;
+  record.pressure_y = wake.pressure.y;
+  record.friction_x = wake.friction.x;
+  record.friction_y = wake.friction.y;
   if (dot(p.flow.stream, p.flow.stream) > 0) {
     record.bubble_length = vortex::bubble_length(blobs, p) / flow.diameter;
-    record.separation_deg = vortex::separation_angle(wall_vorticity, *p.wall, p.flow.stream);
+    record.separation_deg = vortex::separation_angle(wake.wall_vorticity, *p.wall, p.flow.stream);
   }
   return record;
 }

@@ -37,7 +37,7 @@ struct Record {
 
 /// All that can be said of the flow at once; forces by impulse need the neighbors in time.
 Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
-               std::span<const double> wall_vorticity, const FlowCase& flow);
+               const FlowCase& flow);
 
 /// Records that wait for the next one, since a force is a rate of change:
 ///

@@ -24,7 +24,6 @@
 #include "io/json.hpp"
 #include "io/report.hpp"
 #include "io/table.hpp"
-#include "vortex/forces.hpp"
 #include "vortex/vorticity.hpp"
 
 namespace vortree::app {
@@ -153,9 +152,9 @@ void Run::resume() {
 void Run::observe(const vortex::Wake& wake) {
   if (flow_.wall) {
     sheet_ = wake.sheet;
-    wall_vorticity_ = vortex::wall_vorticity(blobs_, *flow_.wall);
+    wall_vorticity_ = wake.wall_vorticity;
   }
-  Record record = measure(step_, blobs_, wake, wall_vorticity_, flow_);
+  Record record = measure(step_, blobs_, wake, flow_);
   if (step_ == 0) second_moment_at_start_ = record.second_moment;
   totals_.particle_steps += step_ > 0 ? record.blobs : 0;
   totals_.most_blobs = std::max(totals_.most_blobs, record.blobs);
@@ -219,6 +218,7 @@ void Run::save() {
 }
 
 void Run::save_wall() {
+  if (step_ == 0) return;  // the wall vorticity of an impulsive start is infinite
   const double t = time(step_), T = 2 * flow_.speed * t / flow_.diameter;
   const vortex::Vec2 s = flow_.problem.flow.stream;
   for (std::size_t i = 0; i < flow_.wall->panels(); ++i) {

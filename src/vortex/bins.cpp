@@ -2,8 +2,8 @@
 
 namespace vortree::vortex {
 
-Bins::Bins(std::span<const double> x, std::span<const double> y, double distance)
-    : side_(distance / 2) {
+Bins::Bins(std::span<const double> x, std::span<const double> y, double side)
+    : side_(side) {
   if (!x.empty()) {
     const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
     const auto [y0, y1] = std::minmax_element(y.begin(), y.end());

@@ -20,6 +20,15 @@ struct Blobs {
   void reserve(std::size_t n) {
     for (auto* column : {&x, &y, &gamma, &sigma}) column->reserve(n);
   }
+  void resize(std::size_t n) {
+    for (auto* column : {&x, &y, &gamma, &sigma}) column->resize(n);
+  }
+  void put(std::size_t i, Vec2 at, double circulation, double core) {
+    x[i] = at.x;
+    y[i] = at.y;
+    gamma[i] = circulation;
+    sigma[i] = core;
+  }
   void append(Vec2 at, double circulation, double core) {
     x.push_back(at.x);
     y.push_back(at.y);

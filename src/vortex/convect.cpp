@@ -12,9 +12,7 @@ Blobs carried(const Blobs& start, const Acting& from, const Velocities& u, const
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Vec2 to{from.x[i] + dt * u.u[i], from.y[i] + dt * u.v[i]};
     const Placed blob = place(to, start.sigma[i], wall);
-    blobs.x[i] = blob.centre.x;
-    blobs.y[i] = blob.centre.y;
-    blobs.sigma[i] = blob.sigma;
+    blobs.put(i, blob.centre, blobs.gamma[i], blob.sigma);
   }
   return blobs;
 }

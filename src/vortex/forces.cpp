@@ -1,5 +1,6 @@
 #include "vortex/forces.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,9 +8,20 @@
 
 namespace vortree::vortex {
 
-std::vector<double> wall_vorticity(const Blobs& blobs, const Wall& wall) {
+namespace {
+
+/// Wall vorticity for each unit of a sheet let in evenly during dt: (1/dt) int_0^dt (pi nu tau)^(-1/2) dtau.
+double of_fresh_sheet(double nu, double dt) {
+  return nu > 0 ? 2 * folded::inverse_sqrt_pi / std::sqrt(nu * dt) : 0;
+}
+
+}  // namespace
+
+std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> sheet,
+                                   const Wall& wall, double nu, double dt) {
   const auto panels = static_cast<std::ptrdiff_t>(wall.panels());
-  std::vector<double> omega(wall.panels());
+  std::vector<double> omega(sheet.begin(), sheet.end());
+  for (double& w : omega) w *= of_fresh_sheet(nu, dt);
   for (std::size_t j = 0; j < blobs.size(); ++j) {
     const double s = blobs.sigma[j];
     const WallPoint w = wall.shape().nearest(blobs.centre(j));
@@ -31,8 +43,11 @@ Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt) 
   return {-moment.y / dt, moment.x / dt};
 }
 
-Vec2 friction_force(const Blobs& blobs, const Wall& wall, double nu) {
+Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
+                    double dt) {
   Vec2 force;
+  for (std::size_t i = 0; i < sheet.size(); ++i)
+    force = force + (nu * of_fresh_sheet(nu, dt) * sheet[i] * wall.panel_length()) * wall.tangent(i);
   for (std::size_t j = 0; j < blobs.size(); ++j) {
     const double s = blobs.sigma[j];
     const WallPoint w = wall.shape().nearest(blobs.centre(j));

@@ -15,7 +15,7 @@ struct Merging {
   double sigma_max;
 };
 
-/// Merges pairs of like sign, each the other's best partner:
+/// Merges pairs of like sign, each the partner with which the other errs least:
 ///
 ///   gamma = sum gamma_i,   x = sum gamma_i x_i/gamma,   sigma^2 = sum gamma_i (sigma_i^2 + |x_i - x|^2)/gamma,
 ///   allowed if |g1 g2/(g1 + g2)| (d^2 + |sigma_1^2 - sigma_2^2|) <= tolerance min(sigma)^3,   d = |x_1 - x_2|.

@@ -29,20 +29,18 @@ double ring_angle(double gamma, double sigma, int children, std::uint64_t seed,
   return std::copysign(turn * 2 * std::numbers::pi / children, gamma);
 }
 
-/// Puts the blobs from `first` on so that their mean acting position is `mean`.
-void keep_mean(Blobs& blobs, std::size_t first, Vec2 mean, const Shape& wall) {
-  // A second pass catches what a squeeze at the wall took up in the first.
+/// Moves the blobs of a range together so that their mean acting position is `mean`.
+void keep_mean(Blobs& blobs, std::size_t first, std::size_t last, Vec2 mean, const Shape& wall) {
+  // Further passes catch what a squeeze at the wall took up in the first.
   for (int pass = 0; pass < 3; ++pass) {
     Vec2 sum;
-    for (std::size_t c = first; c < blobs.size(); ++c)
+    for (std::size_t c = first; c < last; ++c)
       sum = sum + acting_position(blobs.centre(c), blobs.sigma[c], &wall);
-    const Vec2 shift = mean - (1.0 / static_cast<double>(blobs.size() - first)) * sum;
-    for (std::size_t c = first; c < blobs.size(); ++c) {
+    const Vec2 shift = mean - (1.0 / static_cast<double>(last - first)) * sum;
+    for (std::size_t c = first; c < last; ++c) {
       const Vec2 at = acting_position(blobs.centre(c), blobs.sigma[c], &wall);
       const Placed child = place(at + shift, blobs.sigma[c], &wall);
-      blobs.x[c] = child.centre.x;
-      blobs.y[c] = child.centre.y;
-      blobs.sigma[c] = child.sigma;
+      blobs.put(c, child.centre, blobs.gamma[c], child.sigma);
     }
   }
 }
@@ -52,31 +50,40 @@ Vec2 reflected_into_fluid(Vec2 at, const Shape& wall) {
   return w.distance < 0 ? at - (2 * w.distance) * w.normal : at;
 }
 
+/// Writes the children of a blob from `first` on.
+void split(Blobs& result, std::size_t first, Vec2 centre, double gamma, double sigma,
+           const Splitting& splitting, const Shape* wall, std::uint64_t step) {
+  const int children = splitting.children;
+  const double ring = sigma * std::sqrt(1 - splitting.alpha * splitting.alpha);
+  const bool at_wall = wall && wall->nearest(centre).distance < folded::reach * sigma + ring;
+  const double turned = ring_angle(gamma, sigma, children, splitting.seed, step);
+  for (int c = 0; c < children; ++c) {
+    const double phi = turned + 2 * std::numbers::pi * c / children;
+    const Vec2 child = centre + ring * Vec2{std::cos(phi), std::sin(phi)};
+    result.put(first + c, at_wall ? reflected_into_fluid(child, *wall) : child, gamma / children,
+               splitting.alpha * sigma);
+  }
+  if (at_wall)
+    keep_mean(result, first, first + children, acting_position(centre, sigma, wall), *wall);
+}
+
 }  // namespace
 
 void split_wide(Blobs& blobs, const Splitting& splitting, const Shape* wall, std::uint64_t step) {
+  const auto n = static_cast<std::ptrdiff_t>(blobs.size());
+  const double widest = splitting.sigma_max * (1 + 1e-12);
+  std::vector<std::size_t> first(n + 1);
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    first[i + 1] = first[i] + (blobs.sigma[i] > widest ? splitting.children : 1);
+  if (first[n] == blobs.size()) return;
   Blobs result;
-  result.reserve(blobs.size());
-  const int children = splitting.children;
-  for (std::size_t i = 0; i < blobs.size(); ++i) {
-    const Vec2 centre = blobs.centre(i);
-    const double gamma = blobs.gamma[i], sigma = blobs.sigma[i];
-    if (sigma <= splitting.sigma_max * (1 + 1e-12)) {
-      result.append(centre, gamma, sigma);
-      continue;
-    }
-    const double ring = sigma * std::sqrt(1 - splitting.alpha * splitting.alpha);
-    const bool at_wall =
-        wall && wall->nearest(centre).distance < folded::reach * sigma + ring;
-    const double turned = ring_angle(gamma, sigma, children, splitting.seed, step);
-    const std::size_t first = result.size();
-    for (int c = 0; c < children; ++c) {
-      const double phi = turned + 2 * std::numbers::pi * c / children;
-      const Vec2 child = centre + ring * Vec2{std::cos(phi), std::sin(phi)};
-      result.append(at_wall ? reflected_into_fluid(child, *wall) : child, gamma / children,
-                    splitting.alpha * sigma);
-    }
-    if (at_wall) keep_mean(result, first, acting_position(centre, sigma, wall), *wall);
+  result.resize(first[n]);
+#pragma omp parallel for schedule(dynamic, 256)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    if (blobs.sigma[i] > widest)
+      split(result, first[i], blobs.centre(i), blobs.gamma[i], blobs.sigma[i], splitting, wall, step);
+    else
+      result.put(first[i], blobs.centre(i), blobs.gamma[i], blobs.sigma[i]);
   }
   blobs = std::move(result);
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "vortex/forces.hpp"
 #include "vortex/spread_cores.hpp"
 
 namespace vortree::vortex {
@@ -52,9 +53,12 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
 
 Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
   const Acting at = acting(blobs, &p.wall->shape());
-  Wake wake{cancelling_sheet(blobs, at, p), {}};
-  wake.moment =
-      invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet);
+  Wake wake;
+  wake.sheet = cancelling_sheet(blobs, at, p);
+  wake.moment = invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet);
+  wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
+  wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
+  wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
   release(blobs, wake.sheet, *p.wall, core);
   return wake;
 }

@@ -34,11 +34,16 @@ struct Problem {
 
 /// What one step leaves beside the blobs; empty without a wall.
 ///
-/// sheet     released at the end of the step [m/s], a value a panel
-/// moment    sum gamma X of blobs and sheet before the release; forces are its rate of change
+/// sheet           released at the end of the step [m/s], a value a panel
+/// moment          sum gamma X of blobs and sheet before the release; forces are its rate of change
+/// wall_vorticity  a value a panel [1/s]
+/// pressure        force on the body during the step, per unit density [m^3/s^2]
+/// friction        the same, at the end of the step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
+  std::vector<double> wall_vorticity;
+  Vec2 pressure, friction;
 };
 
 /// Called with the name of each phase as it begins, for whoever keeps the time.

@@ -29,13 +29,14 @@ void vorticity(const Blobs& blobs, const Shape* wall, tree::Points at, std::span
   std::ranges::fill(omega, 0.0);
   if (blobs.size() == 0) return;
   const Blobs all = with_images(blobs, wall);
-  const Bins bins(all.x, all.y, shown * std::ranges::max(all.sigma));
+  const double reach = shown * std::ranges::max(all.sigma);
+  const Bins bins(all.x, all.y, reach / 2);
   const auto n = static_cast<std::ptrdiff_t>(at.size());
 #pragma omp parallel for schedule(dynamic, 64)
   for (std::ptrdiff_t t = 0; t < n; ++t) {
     const Vec2 here{at.x[t], at.y[t]};
     if (wall && wall->nearest(here).distance < 0) continue;
-    bins.runs_near(here, [&](std::uint32_t first, std::uint32_t last) {
+    bins.runs_near(here, reach, [&](std::uint32_t first, std::uint32_t last) {
       for (std::uint32_t k = first; k < last; ++k) {
         const std::uint32_t j = bins.order()[k];
         const Vec2 d = here - all.centre(j);
