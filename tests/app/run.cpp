@@ -1,0 +1,117 @@
+#include <catch2/catch.hpp>
+
+#include "app/program.hpp"
+
+using namespace vortree::test;
+
+namespace {
+
+// A vortex that diffuses, splits and merges; frames only at the start and at the end.
+const std::string vortex = R"(
+[flow]
+nu = 1e-3
+[cores]
+sigma_0 = 0.04
+sigma_max = 0.041
+[initial]
+kind = "lamb_oseen"
+circulation = 1.0
+core = 0.2
+[time]
+dt = 0.01
+end = 0.1
+[output]
+frames = 1e9
+[check]
+circulation_max = 1e-9
+)";
+
+// A shared folder without figure scripts, so that runs are not kept waiting by their figures.
+struct NoFigures {
+  explicit NoFigures(const TemporaryFolder& folder) {
+    setenv("VORTREE_SHARE", folder.path().c_str(), 1);
+  }
+  ~NoFigures() { unsetenv("VORTREE_SHARE"); }
+};
+
+// Prints True if two runs wrote the same: all of the last frame, and all of the report but seconds.
+const std::string same_run = R"(
+import csv, h5py, sys
+def rows(folder):
+    with open(folder + '/report.csv') as file:
+        return [{k: v for k, v in row.items() if 'seconds' not in k} for row in csv.DictReader(file)]
+def last_frame(folder):
+    with h5py.File(folder + '/frames.h5') as file:
+        frame = file[max(name for name in file if name.startswith('frame_'))]
+        return {name: frame[name][()].tobytes() for name in ('x', 'y', 'gamma', 'sigma', 'u', 'v')}
+a, b = sys.argv[1:]
+print(len(rows(a)) > 5 and rows(a) == rows(b) and last_frame(a) == last_frame(b))
+)";
+
+}  // namespace
+
+TEST_CASE("a run leaves its files, says nothing on a standard error that is no terminal, and 0") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  const auto outcome = call("run vortex.toml flow.nu=2e-3", folder);
+  CAPTURE(outcome.out, outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  for (const std::string file : {"report.csv", "frames.h5", "frames.xdmf", "summary.json"})
+    CHECK(fs::exists(folder / ("runs/vortex/" + file)));
+  CHECK(text_of(folder / "runs/vortex/summary.json").find("\"passed\": true") != std::string::npos);
+}
+
+TEST_CASE("a run that misses its check leaves 1") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  const auto outcome = call("run vortex.toml check.blobs_max=2 --out elsewhere", folder);
+  CHECK(outcome.code == 1);
+  CHECK(text_of(folder / "elsewhere/summary.json").find("\"passed\": false") != std::string::npos);
+}
+
+TEST_CASE("a run that is interrupted and resumed ends as one that never was, bit for bit") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  folder.write("same_run.py", same_run);
+  const auto stopped =
+      shell("'" VORTREE_PROGRAM
+            "' run vortex.toml time.end=1000 --out broken &\n"
+            "until [ \"$(grep -c '' broken/report.csv)\" -gt 8 ]; do sleep 0.01; done"
+            " 2>/dev/null\n"
+            "kill -INT $!; wait $!",
+            folder);
+  CAPTURE(stopped.err);
+  CHECK(stopped.code == 1);
+  CHECK(stopped.error_lines() == 1);
+  REQUIRE(stopped.err.find("--resume") != std::string::npos);
+  const auto step = stopped.err.find("step ") + 5;
+  const int last = std::stoi(stopped.err.substr(step)) + 10;
+  const std::string end = "time.end=" + std::to_string(last * 0.01);
+
+  const auto resumed = call("run vortex.toml --resume --out broken " + end, folder);
+  CAPTURE(resumed.err);
+  CHECK(resumed.code == 0);
+  CHECK(call("run vortex.toml --out whole " + end, folder).code == 0);
+  CHECK(shell("/usr/bin/python3 same_run.py broken whole", folder).out == "True\n");
+}
+
+TEST_CASE("a run that cannot begin is refused with one line and 2") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  const std::string arguments = GENERATE(values<std::string>({
+      "--out vortex.toml/below",
+      "--out /proc/nowhere",
+      "--resume",
+      "flow.nu=-1",
+      "no.such=1",
+  }));
+  const auto outcome = call("run vortex.toml " + arguments, folder);
+  CAPTURE(arguments, outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK(outcome.error_lines() == 1);
+}
