@@ -143,7 +143,8 @@ void p2p(const Packed& sources, const NearTargets& targets) {
 template <class Real>
 Real pair_weight_plain(Real r2, Real gamma, Real squared_core) {
   if (r2 == 0) return 0;
-  return squared_core == 0 ? gamma / r2 : gamma * -std::expm1(-r2 / squared_core) / r2;
+  const Real bare = gamma / r2;
+  return squared_core == 0 ? bare : bare * core_plain(static_cast<double>(r2 / squared_core));
 }
 
 }  // namespace vortree::fmm

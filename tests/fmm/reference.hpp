@@ -17,10 +17,9 @@ struct Exact {
   std::vector<long double> u, v, contributions;
 };
 
-/// Long double expm1 where it matters: beyond q = 60 the core is 1 to the last bit.
+/// Products and sums are long double; 1 - exp(-q) is as exact as double, and is 1 beyond q = 60.
 inline long double exact_weight(long double r2, long double gamma, long double core) {
-  if (core > 0 && r2 > 60 * core) core = 0;
-  return fmm::pair_weight_plain(r2, gamma, core);
+  return fmm::pair_weight_plain(r2, gamma, r2 < 60 * core ? core : 0.0L);
 }
 
 inline Exact exact_velocity(const fmm::Blobs& blobs, const fmm::Targets& targets,

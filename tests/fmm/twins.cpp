@@ -231,6 +231,13 @@ double p2p_error(std::size_t sources, std::size_t targets, fmm::Cores cores, boo
 
 }  // namespace
 
+TEST_CASE("a pair said plainly: bare without core, nothing where they coincide") {
+  CHECK(fmm::pair_weight_plain(0.25, 3.0, 0.0) == 12.0);
+  CHECK(fmm::pair_weight_plain(0.0, 3.0, 0.0) == 0.0);
+  CHECK(fmm::pair_weight_plain(0.0, 3.0, 0.5) == 0.0);
+  CHECK(fmm::pair_weight_plain(0.25, 3.0, 0.5) == Approx(12 * (1 - std::exp(-0.5))));
+}
+
 TEST_CASE("near sums by lanes equal long double sums, pair by pair") {
   using enum fmm::Cores;
   for (const std::size_t sources : {1u, 8u, 61u}) {
