@@ -6,15 +6,6 @@
 namespace vortree::fmm {
 namespace {
 
-struct Box {
-  double left, right, bottom, top;
-
-  void include(const Box& other) {
-    left = std::min(left, other.left), right = std::max(right, other.right);
-    bottom = std::min(bottom, other.bottom), top = std::max(top, other.top);
-  }
-};
-
 struct Shape {
   Box box;
   double core;
@@ -31,30 +22,41 @@ Shape around(const SortedPoints& points, tree::Range range) {
   return shape;
 }
 
+Shape around_children(const std::vector<Box>& boxes, const Reals& core, tree::Range children) {
+  Shape shape{boxes[children.first], core[children.first]};
+  for (std::uint32_t child = children.first; child < children.last; ++child) {
+    shape.box.include(boxes[child]);
+    shape.core = std::max(shape.core, core[child]);
+  }
+  return shape;
+}
+
 }  // namespace
 
 CellShapes::CellShapes(const tree::Quadtree& tree, const SortedPoints& points) {
-  const auto cells = tree.cells();
-  for (auto* values : {&x, &y, &half_x, &half_y, &radius, &core}) values->resize(cells.size());
-  std::vector<Box> boxes(cells.size());
-  for (std::size_t c = cells.size(); c-- > 0;) {
-    const tree::Cell& cell = cells[c];
-    if (cell.childless()) {
-      const Shape shape = around(points, cell.points);
-      boxes[c] = shape.box, core[c] = shape.core;
-    } else {
-      boxes[c] = boxes[cell.children.first], core[c] = core[cell.children.first];
-      for (std::uint32_t child = cell.children.first; child < cell.children.last; ++child) {
-        boxes[c].include(boxes[child]);
-        core[c] = std::max(core[c], core[child]);
-      }
-    }
-    const Box& box = boxes[c];
-    x[c] = 0.5 * (box.left + box.right), y[c] = 0.5 * (box.bottom + box.top);
-    half_x[c] = std::max(box.right - x[c], x[c] - box.left);
-    half_y[c] = std::max(box.top - y[c], y[c] - box.bottom);
-    radius[c] = std::hypot(half_x[c], half_y[c]);
+  for (auto* values : {&x, &y, &half_x, &half_y, &radius, &core}) {
+    values->resize(tree.cells().size());
   }
+  std::vector<Box> boxes(tree.cells().size());
+  for (int level = tree.depth(); level >= 0; --level) {
+    const tree::Range cells = tree.level(level);
+#pragma omp parallel for schedule(static) if (cells.size() > 256)
+    for (std::uint32_t c = cells.first; c < cells.last; ++c) {
+      const tree::Cell& cell = tree.cells()[c];
+      const Shape shape = cell.childless() ? around(points, cell.points)
+                                           : around_children(boxes, core, cell.children);
+      boxes[c] = shape.box;
+      set(c, shape.box, shape.core);
+    }
+  }
+}
+
+void CellShapes::set(std::size_t c, const Box& box, double largest_core) {
+  x[c] = 0.5 * (box.left + box.right), y[c] = 0.5 * (box.bottom + box.top);
+  half_x[c] = std::max(box.right - x[c], x[c] - box.left);
+  half_y[c] = std::max(box.top - y[c], y[c] - box.bottom);
+  radius[c] = std::sqrt(half_x[c] * half_x[c] + half_y[c] * half_y[c]);
+  core[c] = largest_core;
 }
 
 }  // namespace vortree::fmm

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <span>
 
 #include "fmm/reals.hpp"
@@ -12,6 +13,15 @@ namespace vortree::fmm {
 struct SortedPoints {
   Reals x, y, core;
   [[nodiscard]] std::size_t size() const { return x.size(); }
+};
+
+struct Box {
+  double left, right, bottom, top;
+
+  void include(const Box& other) {
+    left = std::min(left, other.left), right = std::max(right, other.right);
+    bottom = std::min(bottom, other.bottom), top = std::max(top, other.top);
+  }
 };
 
 /// The cells of a tree, shrunk to the points they hold: a bounding box about an expansion centre,
@@ -26,6 +36,9 @@ struct CellShapes {
   CellShapes() = default;
   CellShapes(const tree::Quadtree& tree, const SortedPoints& points);
   [[nodiscard]] std::size_t size() const { return x.size(); }
+
+ private:
+  void set(std::size_t cell, const Box& box, double largest_core);
 };
 
 }  // namespace vortree::fmm

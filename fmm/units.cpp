@@ -9,13 +9,19 @@ namespace {
 
 double largest(std::span<const double> values) {
   double most = 0.0;
-  for (const double value : values) most = std::max(most, std::abs(value));
+#pragma omp simd reduction(max : most)
+  for (std::size_t i = 0; i < values.size(); ++i) most = std::max(most, std::abs(values[i]));
   return most;
 }
 
 double extent(std::span<const double> values) {
   if (values.empty()) return 0.0;
-  const auto [low, high] = std::ranges::minmax(values);
+  double low = values[0], high = values[0];
+#pragma omp simd reduction(min : low) reduction(max : high)
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    low = std::min(low, values[i]);
+    high = std::max(high, values[i]);
+  }
   return high / 2 - low / 2;
 }
 
