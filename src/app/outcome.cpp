@@ -170,10 +170,10 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
   const exact::LambOseen vortex{scene.initial->circulation, scene.initial->core, scene.flow.nu};
   const double t = rows.column("t").back();
   Column x, y, r, angle;
-  for (int i = 0; i <= 40; ++i)
-    for (int k = 0; k < 7; ++k) {
-      r.push_back(0.1 * i * vortex.core_at(t));
-      angle.push_back(0.3 + 2 * std::numbers::pi * k / 7);
+  for (int i = 0; i <= 80; ++i)
+    for (int k = 0; k < 13; ++k) {
+      r.push_back(0.05 * i * vortex.core_at(t));
+      angle.push_back(0.3 + 2 * std::numbers::pi * k / 13);
       x.push_back(scene.initial->centre[0] + t * scene.flow.stream[0] + r.back() * std::cos(angle.back()));
       y.push_back(scene.initial->centre[1] + t * scene.flow.stream[1] + r.back() * std::sin(angle.back()));
     }

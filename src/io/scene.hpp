@@ -105,9 +105,9 @@ struct SceneOutput {
 
 /// What `vortree check` and the tests hold a finished run against; only what is set is checked.
 ///
-/// *_max, *_rms   largest and root-mean-square deviation allowed. Relative for drag, vorticity,
-///                velocity, moments, wall vorticity and routes (one drag route against the other);
-///                bubble_max in units of D; lift_max is a coefficient, blobs_max a count
+/// *_max, *_rms   largest and root-mean-square deviation allowed. Relative for drag, bubble
+///                length, vorticity, velocity, moments, wall vorticity and routes (one drag route
+///                against the other); lift_max is a coefficient, blobs_max a count
 /// *_from         only for T >= this
 /// *_reference    files as written, relative to the folder of the scene: see reference_path
 struct SceneCheck {

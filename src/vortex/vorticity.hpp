@@ -10,7 +10,7 @@ namespace vortree::vortex {
 
 /// Vorticity at points of the plane [1/s]: the blobs' Gaussians; next to a wall the folded ones (a blob
 /// and its mirror image at the same distance inside); 0 within the body.
-/// error  1e-10 of the largest single core's vorticity
+/// error  cores are cut off at 1e-10 of their peaks
 void vorticity(const Blobs& blobs, const Shape* wall, tree::Points at, std::span<double> omega);
 
 }  // namespace vortree::vortex

@@ -86,6 +86,24 @@ Wall::Wall(std::unique_ptr<Shape> shape, int panels) : shape_(std::move(shape)) 
   system_.emplace(sheet_equations(*shape_, middle_, length_), middle_.size() + 1);
 }
 
+std::vector<double> Wall::missed_by_samples(const Acting& acting, std::span<const double> gamma,
+                                            std::size_t first, std::size_t last) const {
+  const auto n = static_cast<std::ptrdiff_t>(panels());
+  std::vector<double> missed(panels());
+  for (std::size_t j = first; j < last; ++j) {
+    const Vec2 at = acting.at(j);
+    const WallPoint w = shape_->nearest(at);
+    if (w.distance > near_panels * length_) continue;
+    for_panels_near(w.arc, length_, n, [&](std::ptrdiff_t i) {
+      const Vec2 p{sample_x_[2 * i], sample_y_[2 * i]}, q{sample_x_[2 * i + 1], sample_y_[2 * i + 1]};
+      const double sampled = 0.5 * dot(point_velocity(p, at) + point_velocity(q, at), tangent_[i]);
+      const double exact = inverse_two_pi / length_ * angle(at, edge_[i], edge_[(i + 1) % n]);
+      missed[i] += gamma[j] * (exact - sampled);
+    });
+  }
+  return missed;
+}
+
 std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const Acting& acting,
                                std::span<const double> gamma) const {
   const auto n = static_cast<std::ptrdiff_t>(panels());
@@ -95,19 +113,16 @@ std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const 
                             Vec2{at_samples.u[2 * i + 1], at_samples.v[2 * i + 1]});
     slip[i] = dot(stream + far, tangent_[i]);
   }
-  for (std::size_t j = 0; j < gamma.size(); ++j) {
-    const Vec2 at = acting.at(j);
-    const WallPoint w = shape_->nearest(at);
-    if (w.distance > near_panels * length_) continue;
-    for_panels_near(w.arc, length_, n, [&](std::ptrdiff_t i) {
-      const Vec2 p{sample_x_[2 * i], sample_y_[2 * i]}, q{sample_x_[2 * i + 1], sample_y_[2 * i + 1]};
-      const double sampled =
-          0.5 * dot(point_velocity(p, at) + point_velocity(q, at), tangent_[i]);
-      const double exact =
-          inverse_two_pi / length_ * angle(at, edge_[i], edge_[(i + 1) % n]);
-      slip[i] += gamma[j] * (exact - sampled);
-    });
+  // A fixed number of parts, summed in order: the same result for any number of threads.
+  constexpr std::ptrdiff_t parts = 16;
+  std::vector<std::vector<double>> missed(parts);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::ptrdiff_t part = 0; part < parts; ++part) {
+    const std::size_t size = gamma.size();
+    missed[part] = missed_by_samples(acting, gamma, size * part / parts, size * (part + 1) / parts);
   }
+  for (const auto& part : missed)
+    for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += part[i];
   return slip;
 }
 

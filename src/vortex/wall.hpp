@@ -56,6 +56,10 @@ class Wall {
   Vec2 first_moment(std::span<const double> sheet) const;
 
  private:
+  /// What the two samples a panel miss of the vortices [first, last) that are close to it.
+  std::vector<double> missed_by_samples(const Acting& acting, std::span<const double> gamma,
+                                        std::size_t first, std::size_t last) const;
+
   std::unique_ptr<Shape> shape_;
   double length_;
   std::vector<Vec2> edge_, middle_, tangent_;
