@@ -29,7 +29,8 @@ int missed(const Bins& bins, const std::vector<double>& x, const std::vector<dou
 
 std::size_t looked_at(const Bins& bins, Vec2 at, double distance) {
   std::size_t count = 0;
-  bins.runs_near(at, distance, [&](std::uint32_t first, std::uint32_t last) { count += last - first; });
+  bins.runs_near(at, distance,
+                 [&](std::uint32_t first, std::uint32_t last) { count += last - first; });
   return count;
 }
 

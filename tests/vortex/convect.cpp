@@ -32,18 +32,22 @@ Blobs pair(double gamma1, double gamma2, double sigma1, double sigma2) {
   return blobs;
 }
 
-Blobs carried(Blobs blobs, const vortex::Carrying& velocity, Scheme scheme, double time, int steps) {
+Blobs carried(Blobs blobs, const vortex::Carrying& velocity, Scheme scheme, double time,
+              int steps) {
   for (int k = 0; k < steps; ++k) convect(blobs, velocity, nullptr, scheme, time / steps);
   return blobs;
 }
 
 /// Two blobs one apart turn about their centre of circulation at this rate.
-double turning(double gamma, double core2) { return gamma / (2 * pi) * -std::expm1(-1 / core2); }
+double turning(double gamma, double core2) {
+  return gamma / (2 * pi) * -std::expm1(-1 / core2);
+}
 
 /// Where the blobs of pair(1, 2, 0.9, 1.2) have gone, less where they must be.
 double pair_error(Scheme scheme, int steps) {
   const double time = 8, centre = 0.5 * (2.0 - 1.0) / 3;
-  const Blobs end = carried(pair(1, 2, 0.9, 1.2), direct_sum(fmm::Cores::mean), scheme, time, steps);
+  const Blobs end =
+      carried(pair(1, 2, 0.9, 1.2), direct_sum(fmm::Cores::mean), scheme, time, steps);
   const double angle = time * turning(3, (0.81 + 1.44) / 2);
   const Vec2 along{std::cos(angle), std::sin(angle)};
   const Vec2 off = end.centre(1) - (Vec2{centre, 0} + (0.5 - centre) * along);
@@ -81,7 +85,7 @@ TEST_CASE("a stream alone carries blobs straight, whatever the step") {
 }
 
 TEST_CASE("a pair that a stream holds at rest stays, and a lone blob does not move itself") {
-  // gamma and -gamma at distance 1 travel with gamma/(2 pi) (1 - exp(-1/sigma^2)) across their line.
+  // gamma and -gamma one apart travel at gamma/(2 pi) (1 - exp(-1/sigma^2)) across their line.
   const double speed = turning(1, 0.04);
   const Blobs at_rest = pair(1, -1, 0.2, 0.2);
   for (Scheme scheme : {Scheme::rk2, Scheme::rk4}) {
@@ -93,7 +97,7 @@ TEST_CASE("a pair that a stream holds at rest stays, and a lone blob does not mo
   }
 }
 
-TEST_CASE("with mean cores convection conserves impulse to round-off; with the sources' it does not") {
+TEST_CASE("mean cores conserve impulse to round-off; the sources' own do not") {
   const Blobs blobs = test::cloud(300, 0.05, 0.3);
   const auto moved = [&](fmm::Cores cores, Scheme scheme) {
     const Blobs end = carried(blobs, direct_sum(cores), scheme, 0.1, 5);

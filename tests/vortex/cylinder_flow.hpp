@@ -14,11 +14,17 @@ namespace vortree::test {
 using Complex = std::complex<double>;
 inline constexpr Complex i_unit{0, 1};
 
-inline Complex complex(vortex::Vec2 a) { return {a.x, a.y}; }
-inline vortex::Vec2 vec2(Complex z) { return {z.real(), z.imag()}; }
+inline Complex complex(vortex::Vec2 a) {
+  return {a.x, a.y};
+}
+inline vortex::Vec2 vec2(Complex z) {
+  return {z.real(), z.imag()};
+}
 
 /// u - i v of the stream 1 along x.
-inline Complex stream_past(double radius, Complex z) { return 1.0 - radius * radius / (z * z); }
+inline Complex stream_past(double radius, Complex z) {
+  return 1.0 - radius * radius / (z * z);
+}
 
 /// u - i v of a vortex of circulation 1 at z0, by its image (-1) and what makes the body's
 /// circulation `bound` at the centre.
@@ -28,13 +34,16 @@ inline Complex vortex_beside(double radius, Complex z0, double bound, Complex z)
 }
 
 /// Anticlockwise component of u - i v = w at the polar angle of z.
-inline double swirl(Complex w, Complex z) { return -(w * z / std::abs(z)).imag(); }
+inline double swirl(Complex w, Complex z) {
+  return -(w * z / std::abs(z)).imag();
+}
 
 /// Bare velocity of vortices where the wall samples it.
 inline vortex::Velocities sampled(const vortex::Wall& wall, const vortex::Acting& at,
                                   const std::vector<double>& gamma) {
   vortex::Velocities u(2 * wall.panels());
-  vortex::velocity_by_direct_sum(fmm::Cores::source)->upon({at.x, at.y, gamma, {}}, wall.samples(), u);
+  vortex::velocity_by_direct_sum(fmm::Cores::source)
+      ->upon({at.x, at.y, gamma, {}}, wall.samples(), u);
   return u;
 }
 
@@ -44,6 +53,8 @@ inline std::vector<double> sheet_of_stream(const vortex::Wall& wall) {
   return wall.sheet(slip, 0);
 }
 
-inline double polar_angle(vortex::Vec2 a) { return std::atan2(a.y, a.x); }
+inline double polar_angle(vortex::Vec2 a) {
+  return std::atan2(a.y, a.x);
+}
 
 }  // namespace vortree::test

@@ -58,9 +58,9 @@ inline double apart(const vortex::Blobs& a, const vortex::Blobs& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     double least = INFINITY;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      least = std::min(least, std::max({std::abs(a.x[i] - b.x[j]), std::abs(a.y[i] - b.y[j]),
-                                        std::abs(a.gamma[i] - b.gamma[j]),
-                                        std::abs(a.sigma[i] - b.sigma[j])}));
+      least = std::min(
+          least, std::max({std::abs(a.x[i] - b.x[j]), std::abs(a.y[i] - b.y[j]),
+                           std::abs(a.gamma[i] - b.gamma[j]), std::abs(a.sigma[i] - b.sigma[j])}));
     }
     largest = std::max(largest, least);
   }

@@ -116,9 +116,8 @@ TEST_CASE("spreading a folded core is the heat flow that no flux leaves through 
   spread_cores(blobs, nu, dt);
   for (double y : {0.0, 0.01, 0.05}) {
     for (double t : {0.0, 0.004, 0.02, 0.07}) {
-      const double heat = integral(y + 7 * s, [&](double from) {
-        return profile(from, y, s) * profile(t, from, width);
-      });
+      const double heat = integral(
+          y + 7 * s, [&](double from) { return profile(from, y, s) * profile(t, from, width); });
       CHECK(std::abs(heat - profile(t, y, blobs.sigma[0])) < 1e-10 * profile(y, y, s));
     }
   }

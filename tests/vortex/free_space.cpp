@@ -61,8 +61,8 @@ Errors errors(const Blobs& blobs, const Problem& problem, double time) {
   for (std::size_t k = 0; k < omega.size(); ++k) {
     const double r = std::hypot(at.x[k], at.y[k]), swirl = oseen.swirl(r, time);
     error.vorticity = std::max(error.vorticity, std::abs(omega[k] - oseen.vorticity(r, time)));
-    error.velocity = std::max(error.velocity, std::hypot(u.u[k] + swirl * at.y[k] / r,
-                                                         u.v[k] - swirl * at.x[k] / r));
+    error.velocity = std::max(
+        error.velocity, std::hypot(u.u[k] + swirl * at.y[k] / r, u.v[k] - swirl * at.x[k] / r));
     fastest = std::max(fastest, swirl);
   }
   return {error.vorticity / oseen.vorticity(0, time), error.velocity / fastest};
@@ -88,7 +88,8 @@ TEST_CASE("a lattice errs by its first four harmonics, exp(-(pi sigma/h)^2) each
     return errors(vortex::gaussian_vortex({}, 1, 0.2, 0.04, h), free_vortex(1, 0), 0).vorticity;
   };
   for (double spacing : {1.0, 0.9, 0.8})
-    CHECK(error(0.04 * spacing) < 4 * std::exp(-narrowed * std::pow(std::numbers::pi / spacing, 2)));
+    CHECK(error(0.04 * spacing) <
+          4 * std::exp(-narrowed * std::pow(std::numbers::pi / spacing, 2)));
 }
 
 TEST_CASE("Lamb-Oseen: the field within 5e-4 of the exact one, the second moment grows by 4 nu t") {
@@ -120,7 +121,7 @@ TEST_CASE("Lamb-Oseen, split and merged: vorticity within 2.5 %, velocity 0.5 %,
 }
 
 TEST_CASE("without viscosity nothing diffuses, splits or merges") {
-  Problem problem = free_vortex(0.01, 1e9);  // every blob wider than sigma_max, every merger allowed
+  Problem problem = free_vortex(0.01, 1e9);  // all are too wide, all may merge
   problem.flow.nu = 0;
   const Blobs start = vortex::gaussian_vortex({}, 1, 0.2, 0.04, 0.04);
   const Blobs end = after(start, problem, 3);

@@ -18,7 +18,9 @@ Blobs halves(Blobs blobs, const Splitting& splitting, const vortex::Shape* wall,
   return blobs;
 }
 
-double widest(const Blobs& blobs) { return *std::ranges::max_element(blobs.sigma); }
+double widest(const Blobs& blobs) {
+  return *std::ranges::max_element(blobs.sigma);
+}
 
 /// The deepest that a centre lies in the body.
 double depth(const Blobs& blobs, const vortex::Shape& wall) {

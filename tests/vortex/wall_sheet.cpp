@@ -12,9 +12,13 @@ namespace {
 
 constexpr double radius = 0.5;
 
-Wall wall_of(int panels) { return Wall(vortex::circle({}, radius), panels); }
+Wall wall_of(int panels) {
+  return Wall(vortex::circle({}, radius), panels);
+}
 
-Acting vortex_at(Complex z) { return {{z.real()}, {z.imag()}, {0.01}}; }
+Acting vortex_at(Complex z) {
+  return {{z.real()}, {z.imag()}, {0.01}};
+}
 
 std::vector<double> slip_of_vortex(const Wall& wall, Complex z0) {
   const Acting at = vortex_at(z0);
@@ -113,7 +117,7 @@ TEST_CASE("the sheet's total circulation is what was asked for, to round-off") {
     }
 }
 
-TEST_CASE("given the exact slip of a vortex, the sheet is the image solution's to spectral accuracy") {
+TEST_CASE("given a vortex's exact slip, the sheet is the images' to spectral accuracy") {
   const Complex z0 = std::polar(0.75, 0.4);
   double before = 1;
   for (int panels : {16, 32, 64, 128}) {
@@ -130,7 +134,7 @@ TEST_CASE("given the exact slip of a vortex, the sheet is the image solution's t
   CHECK(before < 1e-13);
 }
 
-TEST_CASE("by the average slip of a distant vortex, the sheet comes to the images' in second order") {
+TEST_CASE("by a vortex's average slip, the sheet comes to the images' in second order") {
   const Complex z0 = std::polar(1.0, 0.4);
   const auto at = [&](int panels) {
     const Wall wall = wall_of(panels);
@@ -156,7 +160,7 @@ TEST_CASE("the slip of a vortex near the wall is its exact average over each pan
   }
 }
 
-TEST_CASE("the sheet of a vortex very near the wall is the average of the images' over each panel") {
+TEST_CASE("the sheet of a vortex very near is the average of the images' over each panel") {
   const Wall wall = wall_of(64);
   const double b = wall.panel_length();
   for (double distance : {0.01, 0.3, 2.9}) {

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double radius = 0.5;
 
-Wall wall_of(int panels) { return Wall(vortex::circle({}, radius), panels); }
+Wall wall_of(int panels) {
+  return Wall(vortex::circle({}, radius), panels);
+}
 
 /// Points all around at a distance from the wall, at all places along the panels.
 std::vector<Complex> ring(double distance) {
@@ -76,7 +78,7 @@ TEST_CASE("stream and sheet leave the body's interior at rest") {
   }
 }
 
-TEST_CASE("a vortex and its sheet leave the body's interior at rest, to second order in the panels") {
+TEST_CASE("a vortex and its sheet leave the interior at rest, to second order in the panels") {
   const Complex z0 = std::polar(0.8, 2.0);
   const vortex::Acting at{{z0.real()}, {z0.imag()}, {0.01}};
   const std::vector<double> one{1.0};
@@ -119,7 +121,7 @@ TEST_CASE("within three panels of the wall the flow is the potential flow to fir
           Approx(1).margin(0.15));
 }
 
-TEST_CASE("no fluid passes the wall: averaged over a panel, the normal velocity is of first order") {
+TEST_CASE("no fluid passes the wall: averaged over a panel, to first order") {
   const auto passing = [](int panels) {
     const Wall wall = wall_of(panels);
     constexpr int count = 200;
@@ -128,8 +130,8 @@ TEST_CASE("no fluid passes the wall: averaged over a panel, the normal velocity 
     for (int i = 0; i < panels; i += panels / 8) {
       std::vector<Complex> at;
       for (int k = 0; k < count; ++k)
-        at.push_back(std::polar(radius * (1 + 1e-9), (i + (k + 0.5) / count) *
-                                                         wall.panel_length() / radius));
+        at.push_back(std::polar(radius * (1 + 1e-9),
+                                (i + (k + 0.5) / count) * wall.panel_length() / radius));
       const auto w = velocity(wall, sheet, at);
       double sum = 0;
       for (int k = 0; k < count; ++k) sum += ((1.0 + w[k]) * at[k] / std::abs(at[k])).real();

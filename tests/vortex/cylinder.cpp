@@ -1,0 +1,171 @@
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "cylinder_flow.hpp"
+#include "exact/cylinder_drag.hpp"
+#include "flows.hpp"
+#include "vortex/step.hpp"
+
+using namespace vortree;
+using vortex::Blobs;
+using vortex::Problem;
+using vortex::Vec2;
+
+namespace {
+
+// Units of the diameter and the stream: T = U t/R = 2 t, and C_D = 2 F.
+constexpr double re = 550, nu = 1 / re, dt = 0.005;
+constexpr int steps = 20;
+
+struct Run {
+  Blobs blobs;
+  std::vector<vortex::Wake> wakes;  // the start's, then each step's
+  double worst_circulation = 0;
+
+  /// Force at the middle of step k by the moment's rate of change, per unit density.
+  Vec2 by_impulse(int k) const {
+    const Vec2 change = wakes[k].moment - wakes[k - 1].moment;
+    return (1 / dt) * Vec2{-change.y, change.x};
+  }
+  /// Force during step k by what acts on the wall; the friction is known at the step's ends.
+  Vec2 by_wall(int k) const {
+    return wakes[k].pressure + 0.5 * (wakes[k - 1].friction + wakes[k].friction);
+  }
+};
+
+vortex::Wall cylinder_wall() {
+  return vortex::Wall(vortex::circle({}, 0.5), 200);
+}
+
+Problem problem_of(const vortex::Wall& wall, const vortex::Velocity& velocity) {
+  return {.flow = {{1, 0}, nu},
+          .dt = dt,
+          .sigma_0 = std::sqrt(2 * nu * dt),
+          .splitting = {.sigma_max = 0.0171},
+          .merging = {.tolerance = 0.02, .sigma_max = 1.1 * 0.0171},
+          .wall = &wall,
+          .velocity = &velocity};
+}
+
+Run impulsive_start(const vortex::Wall& wall, const vortex::Velocity& velocity, int count = steps) {
+  const Problem problem = problem_of(wall, velocity);
+  Run run;
+  run.wakes.push_back(start(run.blobs, problem));
+  for (int k = 1; k <= count; ++k) {
+    run.wakes.push_back(step(run.blobs, problem, k, [](std::string_view) {}));
+    const double total = invariants(run.blobs, &wall.shape()).circulation;
+    run.worst_circulation = std::max(run.worst_circulation, std::abs(total));
+  }
+  return run;
+}
+
+const Run& by_direct_sum() {
+  static const Run run =
+      impulsive_start(cylinder_wall(), *vortex::velocity_by_direct_sum(fmm::Cores::mean));
+  return run;
+}
+
+const Run& by_boxes() {
+  static const Run run = impulsive_start(
+      cylinder_wall(), *vortex::velocity_by_boxes({.tolerance = 1e-6, .cores = fmm::Cores::mean}));
+  return run;
+}
+
+double short_time_drag(int k) {
+  return exact::short_time_cylinder_drag(re / 2, 2 * (k - 0.5) * dt);
+}
+
+}  // namespace
+
+TEST_CASE("past a cylinder the whole circulation stays 0 to round-off, Kelvin's theorem") {
+  CHECK(by_direct_sum().worst_circulation < 1e-13);
+  CHECK(by_boxes().worst_circulation < 1e-13);
+}
+
+TEST_CASE("an impulsively started cylinder's drag is that of short times to 2 %, by either route") {
+  // Blobs of one release all split in one step, and the drag jumps then: means over windows of T.
+  for (const Run* run : {&by_direct_sum(), &by_boxes()}) {
+    for (int first : {6, 11, 16}) {
+      double exact = 0, impulse = 0, wall = 0;
+      for (int k = first; k < first + 5; ++k) {
+        exact += short_time_drag(k);
+        impulse += 2 * run->by_impulse(k).x;
+        wall += 2 * run->by_wall(k).x;
+      }
+      INFO("steps from " << first);
+      CHECK(impulse == Approx(exact).epsilon(0.02));
+      CHECK(wall == Approx(exact).epsilon(0.02));
+      CHECK(wall == Approx(impulse).epsilon(0.012));
+    }
+  }
+}
+
+TEST_CASE("by the direct sum the flow past a cylinder stays its own mirror image, without lift") {
+  const Run& run = by_direct_sum();
+  CHECK(test::apart(run.blobs, test::mirrored(run.blobs)) < 1e-11);
+  for (int k = 1; k <= steps; ++k) {
+    CHECK(std::abs(2 * run.by_impulse(k).y) < 1e-11);
+    CHECK(std::abs(2 * run.by_wall(k).y) < 1e-11);
+  }
+}
+
+TEST_CASE("by boxes the lift of a symmetric flow keeps below 0.02") {
+  for (int k = 1; k <= steps; ++k) {
+    CHECK(std::abs(2 * by_boxes().by_impulse(k).y) < 0.02);
+    CHECK(std::abs(2 * by_boxes().by_wall(k).y) < 0.02);
+  }
+}
+
+TEST_CASE("boxes and direct sum lead to the same drag, until blobs merge with other partners") {
+  for (int k = 1; k <= steps; ++k)
+    CHECK(by_boxes().by_impulse(k).x ==
+          Approx(by_direct_sum().by_impulse(k).x).epsilon(k < 5 ? 1e-5 : 0.01));
+}
+
+TEST_CASE("no blob's centre enters the cylinder") {
+  const auto shape = vortex::circle({}, 0.5);
+  const Blobs& blobs = by_direct_sum().blobs;
+  for (std::size_t i = 0; i < blobs.size(); ++i)
+    CHECK(shape->nearest(blobs.centre(i)).distance > -1e-14);
+}
+
+TEST_CASE("a whole run past a cylinder is the same bits for any number of threads") {
+  const vortex::Wall wall = cylinder_wall();
+  const auto velocity = vortex::velocity_by_boxes({.cores = fmm::Cores::mean});
+  const auto run = [&] { return impulsive_start(wall, *velocity, 5).blobs; };
+  const Blobs once = test::with_threads(1, run);
+  CHECK(once == test::with_threads(2, run));
+}
+
+TEST_CASE("velocity at points is that of stream, blobs and the sheet that holds the body at rest") {
+  const vortex::Wall wall = cylinder_wall();
+  const auto velocity = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+  Blobs blobs;
+  blobs.append({0.1, 0.9}, 1, 0.05);
+  blobs.append({0.1, -0.9}, -1, 0.05);
+  const std::vector<double> x{100, 0, -100, 0, 0.3}, y{0, 100, 3, 0.8, -0.6};
+  const vortex::Velocities u = velocity_at({x, y}, blobs, problem_of(wall, *velocity));
+  const auto core = [](std::complex<double> d) {  // what a Gaussian core leaves of a vortex
+    return -std::expm1(-std::norm(d) / (0.05 * 0.05));
+  };
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const test::Complex z{x[k], y[k]}, up{0.1, 0.9}, down{0.1, -0.9};
+    const test::Complex cores =
+        ((core(z - up) - 1) / (z - up) - (core(z - down) - 1) / (z - down)) /
+        (2 * std::numbers::pi * test::i_unit);
+    const test::Complex exact = test::stream_past(0.5, z) + test::vortex_beside(0.5, up, -1, z) -
+                                test::vortex_beside(0.5, down, -1, z) + cores;
+    CHECK(std::abs(test::Complex{u.u[k], -u.v[k]} - exact) < 5e-5);
+  }
+}
+
+TEST_CASE("a step past a wall names its phases in their order") {
+  const vortex::Wall wall = cylinder_wall();
+  const auto velocity = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+  const Problem problem = problem_of(wall, *velocity);
+  std::vector<std::string> names;
+  Blobs blobs;
+  step(blobs, problem, 0, [&](std::string_view name) { names.emplace_back(name); });
+  CHECK(names == std::vector<std::string>{"convect", "wall", "split", "merge"});
+  CHECK(blobs.size() >= wall.panels());
+}
