@@ -22,7 +22,7 @@ Reals gather(std::span<const std::uint32_t> order, std::span<const double> from,
   constexpr std::size_t ahead = 48;
   const std::size_t n = order.size();
   Reals to(n);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n > 20000)
   for (std::size_t j = 0; j < n; ++j) {
     if (j + ahead < n) __builtin_prefetch(&from[order[j + ahead]]);
     to[j] = scaled(from[order[j]]);

@@ -6,6 +6,8 @@
 namespace vortree::fmm {
 namespace {
 
+constexpr std::uint32_t alone = 2048;  // cells of a level that one thread had better do alone
+
 struct Shape {
   Box box;
   double core;
@@ -40,7 +42,7 @@ CellShapes::CellShapes(const tree::Quadtree& tree, const SortedPoints& points) {
   std::vector<Box> boxes(tree.cells().size());
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range cells = tree.level(level);
-#pragma omp parallel for schedule(static) if (cells.size() > 256)
+#pragma omp parallel for schedule(static) if (cells.size() > alone)
     for (std::uint32_t c = cells.first; c < cells.last; ++c) {
       const tree::Cell& cell = tree.cells()[c];
       const Shape shape = cell.childless() ? around(points, cell.points)

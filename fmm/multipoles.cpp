@@ -6,6 +6,11 @@
 #include "fmm/multipole_kernel.hpp"
 
 namespace vortree::fmm {
+namespace {
+
+constexpr std::uint32_t alone = 512;  // cells of a level that one thread had better do alone
+
+}  // namespace
 
 double scale(const CellShapes& shapes, std::size_t cell) {
   return std::max(shapes.radius[cell], 1e-75);
@@ -20,7 +25,7 @@ Multipoles::Multipoles(const tree::Quadtree& tree, const CellShapes& shapes,
   const auto cells = tree.cells();
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range range = tree.level(level);
-#pragma omp parallel for schedule(dynamic, 64)
+#pragma omp parallel for schedule(dynamic, 64) if (range.size() > alone)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       double* terms = terms_.data() + 2 * std::size_t{c} * static_cast<std::size_t>(order);
       std::fill_n(terms, 2 * order, 0.0);
