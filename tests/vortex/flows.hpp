@@ -67,6 +67,15 @@ inline double apart(const vortex::Blobs& a, const vortex::Blobs& b) {
   return largest;
 }
 
+/// Blobs by where they act. On the wall that says less of the centre than of all else: the mean has
+/// its least there, and round-off in it is as the square root in the centre.
+inline vortex::Blobs acting_there(vortex::Blobs blobs, const vortex::Shape* wall) {
+  vortex::Acting at = acting(blobs, wall);
+  blobs.x = std::move(at.x);
+  blobs.y = std::move(at.y);
+  return blobs;
+}
+
 /// The largest of what two sets of invariants differ in.
 struct Drift {
   double circulation, moment, second;
