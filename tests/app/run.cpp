@@ -39,7 +39,8 @@ const std::string same_run = R"(
 import csv, h5py, sys
 def rows(folder):
     with open(folder + '/report.csv') as file:
-        return [{k: v for k, v in row.items() if 'seconds' not in k} for row in csv.DictReader(file)]
+        return [{key: value for key, value in row.items() if 'seconds' not in key}
+                for row in csv.DictReader(file)]
 def last_frame(folder):
     with h5py.File(folder + '/frames.h5') as file:
         frame = file[max(name for name in file if name.startswith('frame_'))]
