@@ -17,7 +17,9 @@ namespace vortree::vortex {
 /// cost  O(n) time and memory
 class Bins {
  public:
-  Bins(std::span<const double> x, std::span<const double> y, double side);
+  /// left_out  a flag for each point that is not to be binned; empty: all are
+  Bins(std::span<const double> x, std::span<const double> y, double side,
+       std::span<const char> left_out = {});
 
   /// Point numbers, cell by cell.
   std::span<const std::uint32_t> order() const { return order_; }

@@ -30,13 +30,16 @@ struct Candidates {
   }
 
   explicit Candidates(const Blobs& blobs) {
-    for (std::size_t i = 0; i < blobs.size(); ++i) {
+    const auto n = static_cast<std::ptrdiff_t>(blobs.size());
+    for (auto* column : {&x, &y, &gamma, &square, &inverse_cube}) column->resize(n);
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = blobs.sigma[i];
-      x.push_back(static_cast<float>(blobs.x[i]));
-      y.push_back(static_cast<float>(blobs.y[i]));
-      gamma.push_back(shown(blobs.gamma[i]));
-      square.push_back(static_cast<float>(s * s));
-      inverse_cube.push_back(static_cast<float>(1 / (s * s * s)));
+      x[i] = static_cast<float>(blobs.x[i]);
+      y[i] = static_cast<float>(blobs.y[i]);
+      gamma[i] = shown(blobs.gamma[i]);
+      square[i] = static_cast<float>(s * s);
+      inverse_cube[i] = static_cast<float>(1 / (s * s * s));
     }
   }
 };
@@ -65,7 +68,11 @@ Choice best_partner(const Candidates& blobs, std::uint32_t i, const Bins& bins,
   const auto reach2 = static_cast<float>(merging.reach * merging.reach);
   const auto widest2 = static_cast<float>(merging.sigma_max * merging.sigma_max);
   std::array<float, block> error;
+  // Equal errors, as of coincident blobs, go to the neighbor in order: all pair up at once.
   Choice best;
+  if (const std::uint32_t next = i ^ 1; next < blobs.x.size())
+    if (const float e = merger_error(blobs, i, next, tolerance, reach2, widest2); e < never)
+      best = {next, e};
   const double distance = merging.reach * std::sqrt(blobs.square[i]);
   bins.runs_near({blobs.x[i], blobs.y[i]}, distance, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t j = first; j < last; j += block) {
@@ -87,7 +94,7 @@ Choice best_partner(const Candidates& blobs, std::uint32_t i, const Bins& bins,
 
 /// Blob i of the merged pair (i, j).
 void merge(Blobs& b, std::size_t i, std::size_t j, const Shape* wall) {
-  const double gamma = b.gamma[i] + b.gamma[j], w = b.gamma[i] / gamma;
+  const double gamma = b.gamma[i] + b.gamma[j], w = gamma != 0 ? b.gamma[i] / gamma : 0.5;
   const double mean_square = w * b.sigma[i] * b.sigma[i] + (1 - w) * b.sigma[j] * b.sigma[j];
   const Vec2 apart = b.centre(i) - b.centre(j);
   Placed merged{w * b.centre(i) + (1 - w) * b.centre(j),
@@ -104,87 +111,99 @@ void merge(Blobs& b, std::size_t i, std::size_t j, const Shape* wall) {
   b.sigma[i] = merged.sigma;
 }
 
-/// Blobs on their way to being merged, sorted by place; who still seeks a partner.
-struct Mergers {
+/// Blobs on their way to being merged; who is merged away, and who still seeks a partner.
+struct Crowd {
   Blobs blobs;
   std::vector<Choice> choice;
-  std::vector<char> seeking;
+  std::vector<char> gone, seeking;
 
-  explicit Mergers(Blobs start)
-      : blobs(std::move(start)), choice(blobs.size()), seeking(blobs.size(), 1) {}
+  std::ptrdiff_t size() const { return std::ssize(gone); }
 
-  /// Sorts by place and returns the bins of the new order.
-  Bins sort(double side) {
-    Bins bins(blobs.x, blobs.y, side);
-    Mergers sorted{Blobs{}};
-    sorted.blobs.reserve(blobs.size());
-    std::vector<std::uint32_t> now(blobs.size());
-    for (std::uint32_t i : bins.order()) {
-      now[i] = static_cast<std::uint32_t>(sorted.blobs.size());
-      sorted.blobs.append(blobs.centre(i), blobs.gamma[i], blobs.sigma[i]);
-      sorted.choice.push_back(choice[i]);
-      sorted.seeking.push_back(seeking[i]);
-    }
-    for (Choice& c : sorted.choice)
-      if (c.partner != none) c.partner = now[c.partner];
-    *this = std::move(sorted);
-    return bins;
-  }
-
-  /// Those who seek choose among all, then each is offered to the one it has chosen.
-  void choose(const Bins& bins, const Merging& merging) {
-    const auto n = static_cast<std::ptrdiff_t>(blobs.size());
-    const Candidates candidates(blobs);
-#pragma omp parallel for schedule(dynamic, 128)
-    for (std::ptrdiff_t i = 0; i < n; ++i)
-      if (seeking[i]) choice[i] = best_partner(candidates, i, bins, merging);
-    for (std::ptrdiff_t i = 0; i < n; ++i)
-      if (const Choice c = choice[i];
-          seeking[i] && c.partner != none && c.error < choice[c.partner].error)
-        choice[c.partner] = {static_cast<std::uint32_t>(i), c.error};
-  }
-
-  /// Merges all mutual pairs, and drops what is merged away. True if anyone seeks again.
-  bool merge_mutual(const Shape* wall) {
-    const auto n = static_cast<std::uint32_t>(blobs.size());
-    const auto mutual = [&](std::uint32_t i) {
-      return choice[i].partner != none && choice[choice[i].partner].partner == i;
-    };
-    std::vector<char> paired(n);
-    for (std::uint32_t i = 0; i < n; ++i) paired[i] = mutual(i);
-    Mergers kept{Blobs{}};
-    kept.blobs.reserve(n);
-    std::vector<std::uint32_t> now(n);
-    bool any = false;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      const std::uint32_t j = choice[i].partner;
-      now[i] = static_cast<std::uint32_t>(kept.blobs.size());
-      if (paired[i] && j < i) continue;
-      if (paired[i]) merge(blobs, i, j, wall);
-      const bool again = j != none && (paired[i] || paired[j]);
-      kept.blobs.append(blobs.centre(i), blobs.gamma[i], blobs.sigma[i]);
-      kept.choice.push_back(again ? Choice{} : choice[i]);
-      kept.seeking.push_back(again);
-      any |= again;
-    }
-    for (Choice& c : kept.choice)
-      if (c.partner != none) c.partner = now[c.partner];
-    *this = std::move(kept);
-    return any;
+  void resize(std::size_t n) {
+    blobs.resize(n);
+    choice.resize(n);
+    gone.assign(n, 0);
+    seeking.resize(n);
   }
 };
+
+/// Those of `from` that are not gone, in a new order; `now` is room for their new numbers.
+void gather(const Crowd& from, std::span<const std::uint32_t> order, std::vector<std::uint32_t>& now,
+            Crowd& to) {
+  const std::ptrdiff_t n = std::ssize(order);
+  to.resize(n);
+  now.resize(from.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) now[order[k]] = static_cast<std::uint32_t>(k);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    const std::uint32_t i = order[k];
+    to.blobs.put(k, from.blobs.centre(i), from.blobs.gamma[i], from.blobs.sigma[i]);
+    to.seeking[k] = from.seeking[i];
+    const Choice c = from.choice[i];
+    to.choice[k] = c.partner == none ? c : Choice{now[c.partner], c.error};
+  }
+}
+
+/// Those who seek choose among all, then each is offered to the one it has chosen.
+void choose(Crowd& crowd, const Bins& bins, const Merging& merging) {
+  const std::ptrdiff_t n = crowd.size();
+  const Candidates candidates(crowd.blobs);
+#pragma omp parallel for schedule(dynamic, 128)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (crowd.seeking[i]) crowd.choice[i] = best_partner(candidates, i, bins, merging);
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (const Choice c = crowd.choice[i];
+        crowd.seeking[i] && c.partner != none && c.error < crowd.choice[c.partner].error)
+      crowd.choice[c.partner] = {static_cast<std::uint32_t>(i), c.error};
+}
+
+/// Merges all mutual pairs into their first. True if anyone seeks again.
+bool merge_mutual(Crowd& crowd, const Shape* wall) {
+  const std::ptrdiff_t n = crowd.size();
+  const auto& choice = crowd.choice;
+  const auto mutual = [&](std::uint32_t i) {
+    return choice[i].partner != none && choice[choice[i].partner].partner == i;
+  };
+  bool any = false;
+#pragma omp parallel for schedule(static) reduction(|| : any)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const std::uint32_t j = choice[i].partner;
+    const bool paired = mutual(i);
+    crowd.gone[i] = paired && j < i;
+    crowd.seeking[i] = !crowd.gone[i] && j != none && (paired || mutual(j));
+    any = any || crowd.seeking[i];
+    if (paired && j > i) merge(crowd.blobs, i, j, wall);
+  }
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i)
+    if (crowd.seeking[i]) crowd.choice[i] = {};
+  return any;
+}
 
 }  // namespace
 
 void merge_close(Blobs& blobs, const Merging& merging, const Shape* wall) {
   if (merging.tolerance <= 0 || blobs.size() < 2) return;
   const double side = merging.reach * merging.sigma_max / 4;
-  Mergers mergers(std::move(blobs));
-  do {
-    const Bins bins = mergers.sort(side);
-    mergers.choose(bins, merging);
-  } while (mergers.merge_mutual(wall));
-  blobs = std::move(mergers.blobs);
+  Crowd crowd, sorted;
+  crowd.resize(blobs.size());
+  crowd.blobs = std::move(blobs);
+  blobs = {};
+  std::ranges::fill(crowd.seeking, 1);
+  std::vector<std::uint32_t> now;
+  bool any = true;
+  while (any) {
+    Bins bins(crowd.blobs.x, crowd.blobs.y, side, crowd.gone);
+    gather(crowd, bins.order(), now, sorted);
+    std::swap(crowd, sorted);
+    choose(crowd, bins, merging);
+    any = merge_mutual(crowd, wall);
+  }
+  blobs.reserve(crowd.blobs.size());
+  for (std::size_t i = 0; i < crowd.gone.size(); ++i)
+    if (!crowd.gone[i])
+      blobs.append(crowd.blobs.centre(i), crowd.blobs.gamma[i], crowd.blobs.sigma[i]);
 }
 
 }  // namespace vortree::vortex

@@ -147,7 +147,7 @@ void Wall::add_velocity(std::span<const double> sheet, const Velocity& velocity,
     const Vec2 at{targets.x[t], targets.y[t]};
     Vec2 sum{far.u[t], far.v[t]};
     const WallPoint w = shape_->nearest(at);
-    if (w.distance < near_panels * length_)
+    if (std::abs(w.distance) < near_panels * length_)
       for_panels_near(w.arc, length_, n, [&](std::ptrdiff_t i) {
         const Vec2 exact = panel_velocity(at, edge_[i], edge_[(i + 1) % n]);
         sum = sum + sheet[i] * (exact - length_ * point_velocity(at, middle_[i]));
