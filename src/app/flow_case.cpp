@@ -7,19 +7,20 @@
 namespace vortree::app {
 namespace {
 
-vortex::Vec2 vec(const io::Vec2& a) { return {a[0], a[1]}; }
+vortex::Vec2 vec(const io::Vec2& a) {
+  return {a[0], a[1]};
+}
 
 std::unique_ptr<vortex::Velocity> velocity_of(const io::SceneVelocity& v) {
-  const fmm::Cores cores =
-      v.cores == io::PairCores::mean ? fmm::Cores::mean : fmm::Cores::source;
+  const fmm::Cores cores = v.cores == io::PairCores::mean ? fmm::Cores::mean : fmm::Cores::source;
   if (v.method == io::VelocityMethod::direct) return vortex::velocity_by_direct_sum(cores);
   return vortex::velocity_by_boxes({
       .tolerance = v.tolerance,
       .order = v.order,
       .capacity = static_cast<std::uint32_t>(v.capacity),
       .finest_level = v.finest_level,
-      .builder = v.builder == io::TreeBuilder::reverse ? fmm::Builder::reverse
-                                                       : fmm::Builder::forward,
+      .builder =
+          v.builder == io::TreeBuilder::reverse ? fmm::Builder::reverse : fmm::Builder::forward,
       .cores = cores,
   });
 }
@@ -39,8 +40,8 @@ FlowCase flow_case(const io::Scene& scene) {
   made.problem = {
       .flow = {vec(scene.flow.stream), scene.flow.nu},
       .dt = scene.time.dt,
-      .scheme = scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4
-                                                         : vortex::Scheme::rk2,
+      .scheme =
+          scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4 : vortex::Scheme::rk2,
       .sigma_0 = scene.cores.sigma_0,
       .splitting = {.sigma_max = scene.cores.sigma_max,
                     .alpha = scene.splitting.alpha,

@@ -110,14 +110,13 @@ void check_forces(std::vector<Verdict>& list, const io::SceneCheck& c, const Row
     return rows.largest(c.routes_from, [&](std::size_t r) { return impulse[r] / wall[r] - 1; });
   });
   add(list, "lift_max", c.lift_max, [&] {
-    return rows.largest({}, [&](std::size_t r) {
-      return std::max(std::abs(lift[r]), std::abs(wall_lift[r]));
-    });
+    return rows.largest(
+        {}, [&](std::size_t r) { return std::max(std::abs(lift[r]), std::abs(wall_lift[r])); });
   });
 }
 
-/// Relative L2 deviation of the wall vorticity, omega R/U, at the times that wall.csv and the reference share
-/// (within 0.02 in T): the largest, or the root of the mean square over the times.
+/// Relative L2 deviation of the wall vorticity, omega R/U, at the times that wall.csv and the
+/// reference share (within 0.02 in T): the largest, or the root of the mean square over the times.
 std::vector<double> wall_deviations(const io::Scene& scene, const std::filesystem::path& folder,
                                     const FlowCase& flow) {
   const io::Table reference(io::reference_path(scene, *scene.check.wall_vorticity_reference));
@@ -174,8 +173,10 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
     for (int k = 0; k < 13; ++k) {
       r.push_back(0.05 * i * vortex.core_at(t));
       angle.push_back(0.3 + 2 * std::numbers::pi * k / 13);
-      x.push_back(scene.initial->centre[0] + t * scene.flow.stream[0] + r.back() * std::cos(angle.back()));
-      y.push_back(scene.initial->centre[1] + t * scene.flow.stream[1] + r.back() * std::sin(angle.back()));
+      x.push_back(scene.initial->centre[0] + t * scene.flow.stream[0] +
+                  r.back() * std::cos(angle.back()));
+      y.push_back(scene.initial->centre[1] + t * scene.flow.stream[1] +
+                  r.back() * std::sin(angle.back()));
     }
   Column omega(x.size());
   vortex::vorticity(blobs, nullptr, {x, y}, omega);
@@ -206,9 +207,8 @@ void check_invariants(std::vector<Verdict>& list, const io::Scene& scene, const 
     return rows.largest({}, [&](std::size_t r) { return (gamma[r] - gamma[0]) / unit; });
   });
   add(list, "impulse_max", c.impulse_max, [&] {
-    return rows.largest({}, [&](std::size_t r) {
-      return std::hypot(x[r] - x[0], y[r] - y[0]) / (unit * length);
-    });
+    return rows.largest(
+        {}, [&](std::size_t r) { return std::hypot(x[r] - x[0], y[r] - y[0]) / (unit * length); });
   });
   add(list, "second_moment_max", c.second_moment_max, [&] {
     return rows.largest({}, [&](std::size_t r) {

@@ -17,8 +17,8 @@ struct Verdict {
   bool passed() const { return reached <= asked; }  // NaN is not passed
 };
 
-/// A finished run held against its scene's [check]: reads report.csv and wall.csv in `folder`, and the
-/// reference files that the scene names.
+/// A finished run held against its scene's [check]: reads report.csv and wall.csv in `folder`, and
+/// the reference files that the scene names.
 ///
 /// blobs  at the end
 /// What the run was too short to show (no row in the asked interval) has reached infinity.

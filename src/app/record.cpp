@@ -19,17 +19,31 @@ Record Record::from(std::span<const double> values) {
 }
 
 std::vector<std::string> Record::names() {
-  return {"t", "T", "blobs", "circulation", "impulse_x", "impulse_y", "second_moment",
-          "cd_impulse", "cd_wall", "cl_impulse", "cl_wall", "bubble_length", "separation_deg",
-          "seconds", "seconds_convect", "seconds_wall", "seconds_split", "seconds_merge",
+  return {"t",
+          "T",
+          "blobs",
+          "circulation",
+          "impulse_x",
+          "impulse_y",
+          "second_moment",
+          "cd_impulse",
+          "cd_wall",
+          "cl_impulse",
+          "cl_wall",
+          "bubble_length",
+          "separation_deg",
+          "seconds",
+          "seconds_convect",
+          "seconds_wall",
+          "seconds_split",
+          "seconds_merge",
           "seconds_output"};
 }
 
 Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
                const FlowCase& flow) {
   const vortex::Problem& p = flow.problem;
-  const vortex::Invariants now =
-      vortex::invariants(blobs, p.wall ? &p.wall->shape() : nullptr);
+  const vortex::Invariants now = vortex::invariants(blobs, p.wall ? &p.wall->shape() : nullptr);
   Record record;
   record.t = static_cast<double>(step) * p.dt;
   record.T = p.wall ? 2 * flow.speed * record.t / flow.diameter : record.t;
@@ -69,9 +83,15 @@ Record History::with_forces(const Record& record, vortex::Vec2 by_impulse,
 
 namespace {
 
-vortex::Vec2 impulse(const Record& r) { return {r.impulse_x, r.impulse_y}; }
-vortex::Vec2 pressure(const Record& r) { return {r.pressure_x, r.pressure_y}; }
-vortex::Vec2 friction(const Record& r) { return {r.friction_x, r.friction_y}; }
+vortex::Vec2 impulse(const Record& r) {
+  return {r.impulse_x, r.impulse_y};
+}
+vortex::Vec2 pressure(const Record& r) {
+  return {r.pressure_x, r.pressure_y};
+}
+vortex::Vec2 friction(const Record& r) {
+  return {r.friction_x, r.friction_y};
+}
 
 }  // namespace
 
@@ -81,8 +101,7 @@ void History::add(const Record& record, const Write& write) {
   if (recent_.size() > 3) recent_.pop_front();
   const Record &before = recent_[0], &now = recent_[1], &after = recent_[2];
   // A body at rest feels minus the rate of change of the fluid's impulse.
-  const vortex::Vec2 rate =
-      (-1 / (2 * flow_.problem.dt)) * (impulse(after) - impulse(before));
+  const vortex::Vec2 rate = (-1 / (2 * flow_.problem.dt)) * (impulse(after) - impulse(before));
   write(with_forces(now, rate, 0.5 * (pressure(now) + pressure(after)) + friction(now)));
 }
 
@@ -95,8 +114,7 @@ void History::finish(const Write& write) {
     return;
   }
   const Record &a = recent_[0], &b = recent_[1], &c = recent_[2];
-  const vortex::Vec2 rate = (-1 / (2 * dt)) *
-                            (3 * impulse(c) - 4 * impulse(b) + impulse(a));
+  const vortex::Vec2 rate = (-1 / (2 * dt)) * (3 * impulse(c) - 4 * impulse(b) + impulse(a));
   write(with_forces(c, rate, 1.5 * pressure(c) - 0.5 * pressure(b) + friction(c)));
 }
 

@@ -41,7 +41,8 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
 
 /// Records that wait for the next one, since a force is a rate of change:
 ///
-///   C_D(t_n) = 2/(U^2 D) F_n,   F by impulse = (P_{n+1} - P_{n-1})/(2 dt),  P = (-sum gamma y, sum gamma x)
+///   C_D(t_n) = 2/(U^2 D) F_n,   P = (-sum gamma y, sum gamma x),
+///                               F by impulse = (P_{n+1} - P_{n-1})/(2 dt)
 ///                               F by the wall = (pressure of steps n and n+1)/2 + friction at t_n
 ///
 /// both O(dt^2); the last record of a run looks back instead.

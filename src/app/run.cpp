@@ -42,8 +42,7 @@ struct Totals {
 class Run {
  public:
   Run(io::Scene scene, const RunOptions& options)
-      : scene_(std::move(scene)), folder_(options.out), flow_(flow_case(scene_)),
-        history_(flow_) {}
+      : scene_(std::move(scene)), folder_(options.out), flow_(flow_case(scene_)), history_(flow_) {}
 
   void begin();
   void resume();
@@ -126,13 +125,13 @@ void Run::resume() {
   const fs::path file = folder_ / "frames.h5";
   const io::RecoveredFrames found = io::read_last_good(file);
   if (!found.warning.empty()) fmt::print(stderr, "vortree: {}\n", found.warning);
-  if (!found.last)
-    throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));
+  if (!found.last) throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));
   const io::Scene was = io::parse_scene(found.info.resolved, scene_.origin.path);
   if (const std::string where = difference(was, scene_); !where.empty())
-    throw io::InputError(fmt::format("{}: was run with another {} than {} has now; only time.end, "
-                                     "[output] and [check] may change on the way",
-                                     file.string(), where, scene_.origin.path.string()));
+    throw io::InputError(
+        fmt::format("{}: was run with another {} than {} has now; only time.end, "
+                    "[output] and [check] may change on the way",
+                    file.string(), where, scene_.origin.path.string()));
   const io::Frame& frame = *found.last;
   step_ = saved_step_ = frame.step;
   blobs_ = {frame.x, frame.y, frame.gamma, frame.sigma};
@@ -179,16 +178,16 @@ void Run::require_finite() const {
   for (std::size_t i = 0; i < blobs_.size(); ++i)
     if (!std::isfinite(blobs_.x[i] + blobs_.y[i] + blobs_.gamma[i] + blobs_.sigma[i]))
       throw std::runtime_error(fmt::format(
-          "blob {} of {} is no longer finite after step {}, t = {:g}; the last good frame is that of "
-          "step {} in {}", i, blobs_.size(), step_, time(step_), saved_step_,
-          (folder_ / "frames.h5").string()));
+          "blob {} of {} is no longer finite after step {}, t = {:g}; the last good frame is that "
+          "of "
+          "step {} in {}",
+          i, blobs_.size(), step_, time(step_), saved_step_, (folder_ / "frames.h5").string()));
 }
 
 void Run::advance() {
   ++step_;
-  const vortex::Wake wake =
-      vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
-                   [this](std::string_view phase) { watch_.begin(phase); });
+  const vortex::Wake wake = vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
+                                         [this](std::string_view phase) { watch_.begin(phase); });
   watch_.begin("output");
   require_finite();
   observe(wake);
@@ -200,10 +199,16 @@ void Run::advance() {
 
 void Run::save() {
   if (saved_step_ == step_) return;
-  const vortex::Velocities u =
-      vortex::velocity_at({blobs_.x, blobs_.y}, blobs_, flow_.problem);
-  io::Frame frame{.step = step_, .time = time(step_), .x = blobs_.x, .y = blobs_.y,
-                  .gamma = blobs_.gamma, .sigma = blobs_.sigma, .u = u.u, .v = u.v, .state = {}};
+  const vortex::Velocities u = vortex::velocity_at({blobs_.x, blobs_.y}, blobs_, flow_.problem);
+  io::Frame frame{.step = step_,
+                  .time = time(step_),
+                  .x = blobs_.x,
+                  .y = blobs_.y,
+                  .gamma = blobs_.gamma,
+                  .sigma = blobs_.sigma,
+                  .u = u.u,
+                  .v = u.v,
+                  .state = {}};
   frame.state["history"] = history_.saved();
   frame.state["totals"] = {totals_.particle_steps, totals_.most_blobs,
                            totals_.seconds + watch_.elapsed(), totals_.largest_drift,
@@ -231,9 +236,8 @@ void Run::save_wall() {
 }
 
 void Run::save_fields() {
-  const bool due = std::ranges::any_of(scene_.output.fields, [&](double t) {
-    return std::lround(t / scene_.time.dt) == step_;
-  });
+  const bool due = std::ranges::any_of(
+      scene_.output.fields, [&](double t) { return std::lround(t / scene_.time.dt) == step_; });
   if (!due) return;
   const auto [x0, y0, x1, y1] = *scene_.output.window;
   const double h = *scene_.output.field_spacing;
@@ -257,13 +261,13 @@ void Run::save_fields() {
   io::append_field(folder_, field);
 }
 
-/// Relative drift of what is kept: circulation beside a wall, else the second moment but for diffusion.
+/// Relative drift of what is kept: circulation beside a wall, else the second moment but for
+/// diffusion.
 double Run::drift() const {
   const vortex::Problem& p = flow_.problem;
   const vortex::Invariants now = vortex::invariants(blobs_, p.wall ? &p.wall->shape() : nullptr);
   if (p.wall) return std::abs(now.circulation) / (flow_.speed * flow_.diameter);
-  const double expected =
-      second_moment_at_start_ + 4 * p.flow.nu * time(step_) * now.circulation;
+  const double expected = second_moment_at_start_ + 4 * p.flow.nu * time(step_) * now.circulation;
   return expected == 0 ? 0 : std::abs(now.second / expected - 1);
 }
 
@@ -274,8 +278,12 @@ int Run::go() {
   while (step_ < last_step()) {
     advance();
     totals_.largest_drift = std::max(totals_.largest_drift, drift());
-    progress.show({.step = step_, .time = time(step_), .dt = scene_.time.dt, .start = start,
-                   .end = scene_.time.end, .particles = blobs_.size(),
+    progress.show({.step = step_,
+                   .time = time(step_),
+                   .dt = scene_.time.dt,
+                   .start = start,
+                   .end = scene_.time.end,
+                   .particles = blobs_.size(),
                    .drift = totals_.largest_drift});
     if (stop && step_ < last_step()) {
       progress.clear();
@@ -326,9 +334,10 @@ int Run::finish() {
   io::write_json(folder_ / "summary.json", json);
   plot(folder_);
   const double seconds = totals_.seconds + watch_.elapsed();
-  fmt::print("{} steps, {} blobs at the end, {:.1f} s with figures, {:.2f} million particle-steps/s; results in {}\n",
-             step_, blobs_.size(), seconds, totals_.particle_steps / seconds / 1e6,
-             folder_.string());
+  fmt::print(
+      "{} steps, {} blobs at the end, {:.1f} s with figures, {:.2f} million particle-steps/s; "
+      "results in {}\n",
+      step_, blobs_.size(), seconds, totals_.particle_steps / seconds / 1e6, folder_.string());
   fmt::print("{}\n", verdict_line(list));
   return std::ranges::all_of(list, &Verdict::passed) ? 0 : 1;
 }

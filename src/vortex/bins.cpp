@@ -21,8 +21,8 @@ Bins::Bins(std::span<const double> x, std::span<const double> y, double side,
   std::vector<std::uint32_t> cell_of(n);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i)
-    cell_of[i] = !left_out.empty() && left_out[i] ? nowhere
-                                                  : static_cast<std::uint32_t>(cell(x[i], y[i]));
+    cell_of[i] =
+        !left_out.empty() && left_out[i] ? nowhere : static_cast<std::uint32_t>(cell(x[i], y[i]));
   start_.assign(nx_ * ny_ + 2, 0);
   for (std::uint32_t c : cell_of)
     if (c != nowhere) ++start_[c + 2];

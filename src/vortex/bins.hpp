@@ -12,8 +12,8 @@ namespace vortree::vortex {
 
 /// Points binned by square cells, row by row, for searches within a distance.
 ///
-/// side  of a cell [m] (wider where the cloud is so thin that there would be more than about sixteen
-///       cells a point); a search costs least where it is a half or a third of the distance
+/// side  of a cell [m]; wider where the cloud is so thin that there would be more than about
+///       sixteen cells a point. A search costs least where it is a half or a third of the distance
 /// cost  O(n) time and memory
 class Bins {
  public:
@@ -24,8 +24,8 @@ class Bins {
   /// Point numbers, cell by cell.
   std::span<const std::uint32_t> order() const { return order_; }
 
-  /// Calls use(first, last) with runs of positions in order() that hold all points within a distance of a
-  /// place, and some more: the cells around it, a run a row.
+  /// Calls use(first, last) with runs of positions in order() that hold all points within a
+  /// distance of a place, and some more: the cells around it, a run a row.
   template <class Use>
   void runs_near(Vec2 at, double distance, Use use) const {
     const std::int64_t left = column(at.x - distance), right = column(at.x + distance);

@@ -37,7 +37,8 @@ class Circle final : public Shape {
 
 std::unique_ptr<Shape> circle(Vec2 centre, double radius) {
   if (!(radius > 0 && std::isfinite(radius)))
-    throw std::invalid_argument("radius of the circle is " + std::to_string(radius) + "; must be > 0");
+    throw std::invalid_argument("radius of the circle is " + std::to_string(radius) +
+                                "; must be > 0");
   return std::make_unique<Circle>(centre, radius);
 }
 

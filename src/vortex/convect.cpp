@@ -28,7 +28,9 @@ void add(Velocities& sum, double weight, const Velocities& u) {
 
 void convect(Blobs& blobs, const Carrying& velocity, const Shape* wall, Scheme scheme, double dt) {
   const Acting from = acting(blobs, wall);
-  const auto moved = [&](const Velocities& u, double h) { return carried(blobs, from, u, wall, h); };
+  const auto moved = [&](const Velocities& u, double h) {
+    return carried(blobs, from, u, wall, h);
+  };
   const auto at = [&](const Blobs& stage) { return velocity(stage, acting(stage, wall)); };
 
   const Velocities k1 = velocity(blobs, from);

@@ -4,10 +4,12 @@
 
 namespace vortree::vortex {
 
-/// A Gaussian core next to a wall, folded: the part that would lie in the body is reflected into the fluid.
+/// A Gaussian core next to a wall, folded: the part that would lie in the body is reflected into
+/// the fluid.
 ///
-/// For a flat wall this is the exact heat flow without flux, so that sigma^2 += 4 nu dt stays the right
-/// diffusion and all circulation stays in the fluid. With y the distance of the centre to the wall,
+/// For a flat wall this is the exact heat flow without flux, so that sigma^2 += 4 nu dt stays the
+/// right diffusion and all circulation stays in the fluid. With y the distance of the centre to the
+/// wall,
 ///
 ///   mean distance      m   = s/sqrt(pi) exp(-y^2/s^2) + y erf(y/s) - kappa s^2/8 erfc(y/s)
 ///   variance across    v_n = s^2/2 + y^2 - m^2              (the s^2/2 of a free core, far away)
@@ -17,11 +19,13 @@ namespace vortree::vortex {
 /// moved, at its mean; further than `reach` cores from the wall it is a free blob.
 namespace folded {
 
-constexpr double reach = 4;              // cores; erfc(4) = 1.5e-8
+constexpr double reach = 4;  // cores; erfc(4) = 1.5e-8
 constexpr double inverse_sqrt_pi = 0.56418958354775628695;
-constexpr double thinnest = 0.2;         // of s/sqrt(pi): how far a core may be squeezed in one move
+constexpr double thinnest = 0.2;  // of s/sqrt(pi): how far a core may be squeezed in one move
 
-inline bool applies(double y, double s) { return y < reach * s; }
+inline bool applies(double y, double s) {
+  return y < reach * s;
+}
 
 inline double mean_distance(double y, double s, double kappa) {
   if (!applies(y, s)) return y;
@@ -30,15 +34,17 @@ inline double mean_distance(double y, double s, double kappa) {
          kappa * s * s / 8 * std::erfc(q);
 }
 
-inline double variance_across(double y, double s, double m) { return s * s / 2 + y * y - m * m; }
+inline double variance_across(double y, double s, double m) {
+  return s * s / 2 + y * y - m * m;
+}
 
 /// A core as seen from the wall.
 struct Core {
   double y, s;
 };
 
-/// The core whose mean distance is m: the centre is found for the given s; where even a centre on the
-/// wall lies too far out (m < s/sqrt(pi)), the core is squeezed, never below `thinnest` of it.
+/// The core whose mean distance is m: the centre is found for the given s; where even a centre on
+/// the wall lies too far out (m < s/sqrt(pi)), the core is squeezed, never below `thinnest` of it.
 Core place(double m, double s, double kappa);
 
 }  // namespace folded

@@ -10,7 +10,8 @@ namespace vortree::vortex {
 
 namespace {
 
-/// Wall vorticity for each unit of a sheet let in evenly during dt: (1/dt) int_0^dt (pi nu tau)^(-1/2) dtau.
+/// Wall vorticity for each unit of a sheet let in evenly during dt: (1/dt) int_0^dt (pi nu
+/// tau)^(-1/2) dtau.
 double of_fresh_sheet(double nu, double dt) {
   return nu > 0 ? 2 * folded::inverse_sqrt_pi / std::sqrt(nu * dt) : 0;
 }
@@ -32,7 +33,8 @@ std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> s
     for (std::ptrdiff_t k = here - reach; k <= here + reach; ++k) {
       const std::ptrdiff_t i = (k + panels) % panels;
       const Vec2 d = wall.middle(i) - blobs.centre(j);
-      omega[i] += 2 * std::numbers::inv_pi * blobs.gamma[j] / (s * s) * std::exp(-dot(d, d) / (s * s));
+      omega[i] +=
+          2 * std::numbers::inv_pi * blobs.gamma[j] / (s * s) * std::exp(-dot(d, d) / (s * s));
     }
   }
   return omega;
@@ -47,7 +49,8 @@ Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wal
                     double dt) {
   Vec2 force;
   for (std::size_t i = 0; i < sheet.size(); ++i)
-    force = force + (nu * of_fresh_sheet(nu, dt) * sheet[i] * wall.panel_length()) * wall.tangent(i);
+    force =
+        force + (nu * of_fresh_sheet(nu, dt) * sheet[i] * wall.panel_length()) * wall.tangent(i);
   for (std::size_t j = 0; j < blobs.size(); ++j) {
     const double s = blobs.sigma[j];
     const WallPoint w = wall.shape().nearest(blobs.centre(j));

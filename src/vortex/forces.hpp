@@ -8,18 +8,21 @@
 namespace vortree::vortex {
 
 /// Vorticity at the wall, a value a panel [1/s]: the folded cores' sum of
-/// 2 gamma/(pi sigma^2) exp(-|x - x_w|^2/sigma^2), and that of the sheet which the last step of dt has
-/// let in at an even rate, 2 gamma/sqrt(pi nu dt) (its blobs not among the others yet).
+/// 2 gamma/(pi sigma^2) exp(-|x - x_w|^2/sigma^2), and that of the sheet which the last step of dt
+/// has let in at an even rate, 2 gamma/sqrt(pi nu dt) (its blobs not among the others yet).
 std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> sheet,
                                    const Wall& wall, double nu, double dt);
 
-/// Pressure force of the fluid on a body at rest, per unit density [m^3/s^2], from the sheet that one step
-/// of dt had to release: dp/ds = -gamma/dt gives F = -int p n ds = (-sum gamma b y, sum gamma b x)/dt.
+/// Pressure force of the fluid on a body at rest, per unit density [m^3/s^2], from the sheet that
+/// one step of dt had to release:
+///
+///   dp/ds = -gamma/dt,   F = -int p n ds = (-sum gamma b y, sum gamma b x)/dt
+///
 /// source  Koumoutsakos & Leonard, J. Fluid Mech. 296 (1995)
 Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt);
 
-/// Friction force per unit density: nu int omega t ds of the same vorticity, each core's integral along
-/// the wall in closed form, 2 gamma/(sqrt(pi) sigma) exp(-y^2/sigma^2).
+/// Friction force per unit density: nu int omega t ds of the same vorticity, each core's integral
+/// along the wall in closed form, 2 gamma/(sqrt(pi) sigma) exp(-y^2/sigma^2).
 Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
                     double dt);
 

@@ -1,4 +1,5 @@
-// GCC 12 takes the undefined lanes of its own AVX-512 intrinsics, as Eigen uses them, for a mistake.
+// GCC 12 takes the undefined lanes of its own AVX-512 intrinsics, as Eigen uses them, for a
+// mistake.
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 
 #include "vortex/linear_system.hpp"

@@ -19,8 +19,8 @@ struct Choice {
   float error = never;
 };
 
-/// What choosing a partner reads of the blobs, in single precision: a choice to seven digits is as good,
-/// and twice as many fit a vector.
+/// What choosing a partner reads of the blobs, in single precision: a choice to seven digits is as
+/// good, and twice as many fit a vector.
 struct Candidates {
   std::vector<float> x, y, gamma, square, inverse_cube;
 
@@ -56,8 +56,8 @@ inline float merger_error(const Candidates& b, std::size_t i, std::size_t j, flo
   const float error =
       std::abs(w * gj) * (d2 + std::abs(si - sj)) * std::max(b.inverse_cube[i], b.inverse_cube[j]);
   const float wide = w * si + (1 - w) * sj + w * (1 - w) * d2;
-  const bool allowed = ((gi > 0) == (gj > 0)) & (d2 <= reach2 * std::min(si, sj)) & (error <= tolerance) &
-                       (wide <= widest2);
+  const bool allowed = ((gi > 0) == (gj > 0)) & (d2 <= reach2 * std::min(si, sj)) &
+                       (error <= tolerance) & (wide <= widest2);
   return allowed ? error : never;
 }
 
@@ -128,8 +128,8 @@ struct Crowd {
 };
 
 /// Those of `from` that are not gone, in a new order; `now` is room for their new numbers.
-void gather(const Crowd& from, std::span<const std::uint32_t> order, std::vector<std::uint32_t>& now,
-            Crowd& to) {
+void gather(const Crowd& from, std::span<const std::uint32_t> order,
+            std::vector<std::uint32_t>& now, Crowd& to) {
   const std::ptrdiff_t n = std::ssize(order);
   to.resize(n);
   now.resize(from.size());

@@ -17,16 +17,20 @@ struct Merging {
 
 /// Merges pairs of like sign, each the partner with which the other errs least:
 ///
-///   gamma = sum gamma_i,   x = sum gamma_i x_i/gamma,   sigma^2 = sum gamma_i (sigma_i^2 + |x_i - x|^2)/gamma,
-///   allowed if |g1 g2/(g1 + g2)| (d^2 + |sigma_1^2 - sigma_2^2|) <= tolerance min(sigma)^3,   d = |x_1 - x_2|.
+///   gamma = sum gamma_i,   x = sum gamma_i x_i/gamma,
+///   sigma^2 = sum gamma_i (sigma_i^2 + |x_i - x|^2)/gamma,
+///   allowed if |g1 g2/(g1 + g2)| (d^2 + |sigma_1^2 - sigma_2^2|) <= tolerance min(sigma)^3,
 ///
-/// The left side is the moment that the pair and the merged blob differ in; divided by sigma^3 it is the
-/// velocity error at a distance of a core. Conserves circulation, impulse and second moment; next to a
-/// wall x is the acting position and only the spread across the wall widens the core (2 g1 g2 d_n^2/gamma^2
-/// in place of d^2), so that merging along the wall diffuses nothing away from it.
-/// Repeated until no pair is left. Mutual choice needs no order of the blobs, so that the mirror image of
-/// a flow merges into its mirror image, whatever the numbering and the threads.
-/// The blobs come out sorted by place.
+/// d = |x_1 - x_2|. The left side is the moment that the pair and the merged blob differ in;
+/// divided by sigma^3 it is the velocity error at a distance of a core. Conserves circulation,
+/// impulse and second moment. Next to a wall x is the acting position and only the spread across
+/// the wall widens the core (2 g1 g2 d_n^2/gamma^2 in place of d^2), so that merging along the wall
+/// diffuses nothing away from it; there a merger may pass sigma_max a little.
+///
+/// Repeated until no pair is left. Mutual choice needs no order of the blobs: the mirror image of a
+/// flow merges into its mirror image (up to ties), whatever the threads. The blobs come out sorted
+/// by place.
+///
 /// cost    O(blobs times candidates within reach) once, then only around what has merged
 void merge_close(Blobs& blobs, const Merging& merging, const Shape* wall);
 

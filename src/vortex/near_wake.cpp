@@ -16,7 +16,9 @@ Vec2 centre_of(const Wall& wall) {
   return (1.0 / static_cast<double>(wall.panels())) * sum;
 }
 
-Vec2 unit(Vec2 a) { return (1 / std::hypot(a.x, a.y)) * a; }
+Vec2 unit(Vec2 a) {
+  return (1 / std::hypot(a.x, a.y)) * a;
+}
 
 /// Distance from `from` along `direction` to the wall (from the inside out).
 double way_out(const Wall& wall, Vec2 from, Vec2 direction) {
@@ -58,8 +60,8 @@ std::vector<Station> side_of(std::span<const double> vorticity, const Wall& wall
     const Vec2 d = wall.middle(i) - centre;
     const double across = side * dot(d, left);
     if (across > 0)
-      stations.push_back({std::atan2(across, dot(d, rear)) * 180 / std::numbers::pi,
-                          side * vorticity[i]});
+      stations.push_back(
+          {std::atan2(across, dot(d, rear)) * 180 / std::numbers::pi, side * vorticity[i]});
   }
   std::ranges::sort(stations, std::greater{}, &Station::angle);
   return stations;

@@ -19,7 +19,9 @@ std::uint64_t mixed(std::uint64_t z) {
 }
 
 /// About six digits: mirror images that differ by round-off still turn alike.
-std::uint64_t rounded(double a) { return (std::bit_cast<std::uint64_t>(a) + (1ull << 31)) >> 32; }
+std::uint64_t rounded(double a) {
+  return (std::bit_cast<std::uint64_t>(a) + (1ull << 31)) >> 32;
+}
 
 double ring_angle(double gamma, double sigma, int children, std::uint64_t seed,
                   std::uint64_t step) {
@@ -81,7 +83,8 @@ void split_wide(Blobs& blobs, const Splitting& splitting, const Shape* wall, std
 #pragma omp parallel for schedule(dynamic, 256)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (blobs.sigma[i] > widest)
-      split(result, first[i], blobs.centre(i), blobs.gamma[i], blobs.sigma[i], splitting, wall, step);
+      split(result, first[i], blobs.centre(i), blobs.gamma[i], blobs.sigma[i], splitting, wall,
+            step);
     else
       result.put(first[i], blobs.centre(i), blobs.gamma[i], blobs.sigma[i]);
   }

@@ -19,13 +19,15 @@ struct Splitting {
   std::uint64_t seed = 1;
 };
 
-/// Replaces each blob wider than sigma_max by M children of gamma/M and width alpha sigma on a ring of
-/// radius sigma sqrt(1 - alpha^2). Conserves circulation, impulse and second moment; next to a wall
-/// circulation and impulse (children that land in the body are reflected, the folded picture's exact
-/// answer, and all are shifted together to keep the mean acting position).
+/// Replaces each blob wider than sigma_max by M children of gamma/M and width alpha sigma on a ring
+/// of radius sigma sqrt(1 - alpha^2). Conserves circulation, impulse and second moment; next to a
+/// wall circulation and impulse (children that land in the body are reflected, the folded picture's
+/// exact answer, and all are shifted together to keep the mean acting position).
 ///
-/// The ring's angle is a hash of seed, step, |gamma| and sigma (to six digits), turned with the sign of gamma: runs repeat bit
-/// for bit, and the mirror image of a symmetric flow splits into mirror images.
+/// The ring's angle is a hash of seed, step, |gamma| and sigma (to six digits), turned with the
+/// sign of gamma: runs repeat bit for bit, and the mirror image of a symmetric flow splits into mirror
+/// images.
+///
 /// error   O(sigma^2 (1 - alpha^2)^2) of the Gaussian's fourth moments
 /// source  Rossi, SIAM J. Sci. Comput. 17 (1996)
 void split_wide(Blobs& blobs, const Splitting& splitting, const Shape* wall, std::uint64_t step);

@@ -27,8 +27,8 @@ fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
 Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
-  p.velocity->upon_itself_and(as_sources(blobs, at),
-                              p.wall ? p.wall->samples() : tree::Points{}, u, at_samples);
+  p.velocity->upon_itself_and(as_sources(blobs, at), p.wall ? p.wall->samples() : tree::Points{}, u,
+                              at_samples);
   add_stream(u, p.flow.stream);
   if (p.wall) {
     const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
@@ -66,7 +66,8 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
 }  // namespace
 
 Wake start(Blobs& blobs, const Problem& p) {
-  // The first sheet is as old as no time at all: a thin core, whose full age comes with the first step.
+  // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
+  // step.
   return p.wall ? cancel_slip(blobs, p, std::sqrt(0.02 * 4 * p.flow.nu * p.dt)) : Wake{};
 }
 
@@ -74,8 +75,9 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
   const Shape* shape = p.wall ? &p.wall->shape() : nullptr;
   Wake wake;
   phase("convect");
-  convect(blobs, [&](const Blobs& b, const Acting& at) { return carrying(b, at, p); }, shape,
-          p.scheme, p.dt);
+  convect(
+      blobs, [&](const Blobs& b, const Acting& at) { return carrying(b, at, p); }, shape, p.scheme,
+      p.dt);
   if (p.flow.nu > 0) spread_cores(blobs, p.flow.nu, p.dt);
   if (p.wall) {
     phase("wall");

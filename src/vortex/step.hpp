@@ -55,7 +55,8 @@ Wake start(Blobs& blobs, const Problem& problem);
 /// One step of length dt: convection, diffusion, release of wall vorticity, splitting, merging.
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const Phase& phase);
 
-/// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at rest.
+/// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at
+/// rest.
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& problem);
 
 }  // namespace vortree::vortex

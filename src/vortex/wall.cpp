@@ -9,8 +9,8 @@ namespace vortree::vortex {
 namespace {
 
 constexpr double inverse_two_pi = 0.5 * std::numbers::inv_pi;
-constexpr double near_panels = 3;    // exact integrals for points closer to the wall than this
-constexpr std::ptrdiff_t window = 6; // ... and for the panels this far along it
+constexpr double near_panels = 3;     // exact integrals for points closer to the wall than this
+constexpr std::ptrdiff_t window = 6;  // ... and for the panels this far along it
 const double gauss = 0.5 / std::sqrt(3.0);
 
 /// Angle under which `at` sees the way from a to b.
@@ -32,7 +32,8 @@ Vec2 panel_velocity(Vec2 at, Vec2 a, Vec2 b) {
   const double along = 0.5 * std::log(dot(p, p) / dot(q, q));
   const double seen = angle(at, a, b);
   const Vec2 t = (1 / std::sqrt(dot(d, d))) * d;
-  // In the panel's frame: (seen, along)/(2 pi) with a sign from u - i v = log((z-a)/(z-b))/(2 pi i).
+  // In the panel's frame: (seen, along)/(2 pi) with a sign from u - i v = log((z-a)/(z-b))/(2 pi
+  // i).
   const double parallel = -inverse_two_pi * seen, across = inverse_two_pi * along;
   return {parallel * t.x - across * t.y, parallel * t.y + across * t.x};
 }
@@ -95,7 +96,8 @@ std::vector<double> Wall::missed_by_samples(const Acting& acting, std::span<cons
     const WallPoint w = shape_->nearest(at);
     if (w.distance > near_panels * length_) continue;
     for_panels_near(w.arc, length_, n, [&](std::ptrdiff_t i) {
-      const Vec2 p{sample_x_[2 * i], sample_y_[2 * i]}, q{sample_x_[2 * i + 1], sample_y_[2 * i + 1]};
+      const Vec2 p{sample_x_[2 * i], sample_y_[2 * i]},
+          q{sample_x_[2 * i + 1], sample_y_[2 * i + 1]};
       const double sampled = 0.5 * dot(point_velocity(p, at) + point_velocity(q, at), tangent_[i]);
       const double exact = inverse_two_pi / length_ * angle(at, edge_[i], edge_[(i + 1) % n]);
       missed[i] += gamma[j] * (exact - sampled);

@@ -12,7 +12,8 @@
 
 namespace vortree::vortex {
 
-/// A vortex sheet on a closed curve, in panels of equal arc length b, that holds the interior at rest.
+/// A vortex sheet on a closed curve, in panels of equal arc length b, that holds the interior at
+/// rest.
 ///
 /// The slip of stream and blobs along panel i, averaged over it, fixes the sheet:
 ///
@@ -20,9 +21,9 @@ namespace vortree::vortex {
 ///   b sum_i gamma_i = total,
 ///
 /// gamma, slip and tangent all anticlockwise (the bare stream past a circle gives -2 U sin theta).
-/// The trapezoid rule converges faster than any power of b on a smooth curve; K(x, x) = curvature/(4 pi).
-/// The matrix is factorised once. The average of a vortex's tangential velocity is the angle under which
-/// it sees the panel, gamma/(2 pi b) * angle: exact however near it is.
+/// The trapezoid rule converges faster than any power of b on a smooth curve; K(x, x) is the
+/// curvature/(4 pi). The matrix is factorised once. The average of a vortex's tangential velocity
+/// is the angle under which it sees the panel, gamma/(2 pi b) * angle: exact however near it is.
 /// cost    setting up O(panels^3) once; a sheet O(panels^2 + blobs near the wall)
 /// source  Koumoutsakos, Leonard & Pepin, J. Comput. Phys. 113 (1994), eq. 12-15
 class Wall {
@@ -39,16 +40,16 @@ class Wall {
   /// Points where the far field is sampled for the slip: two Gauss points a panel.
   tree::Points samples() const { return {sample_x_, sample_y_}; }
 
-  /// Average slip along each panel: stream, the bare velocity at samples(), and what the samples miss
-  /// of the vortices closer than a few panels.
+  /// Average slip along each panel: stream, the bare velocity at samples(), and what the samples
+  /// miss of the vortices closer than a few panels.
   std::vector<double> slip(Vec2 stream, const Velocities& at_samples, const Acting& acting,
                            std::span<const double> gamma) const;
 
   /// The sheet that cancels a slip, with circulation `total`.
   std::vector<double> sheet(std::span<const double> slip, double total) const;
 
-  /// Adds the velocity of a sheet at points of the fluid: panels as point vortices from afar (for them
-  /// the trapezoid rule errs by exp(-2 pi distance/b)), exact panel integrals near.
+  /// Adds the velocity of a sheet at points of the fluid: panels as point vortices from afar (for
+  /// them the trapezoid rule errs by exp(-2 pi distance/b)), exact panel integrals near.
   void add_velocity(std::span<const double> sheet, const Velocity& velocity, tree::Points targets,
                     Velocities& u) const;
 
