@@ -1,95 +1,25 @@
 #include "vortex/merge_close.hpp"
 
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "vortex/bins.hpp"
 #include "vortex/folded_core.hpp"
+#include "vortex/merge_kernel.hpp"
 
 namespace vortree::vortex {
 namespace {
 
-constexpr float never = std::numeric_limits<float>::infinity();
-constexpr std::uint32_t none = ~0u;
-
-/// The partner with which merging costs least.
-struct Choice {
-  std::uint32_t partner = none;
-  float error = never;
-};
-
-/// What choosing a partner reads of the blobs, in single precision: a choice to seven digits is as
-/// good, and twice as many fit a vector.
-struct Candidates {
-  std::vector<float> x, y, gamma, square, inverse_cube;
-
-  /// Quartered often enough, circulations vanish in single precision; their sign must not.
-  static float shown(double gamma) {
-    return static_cast<float>(std::copysign(std::max(std::abs(gamma), 1e-30), gamma));
-  }
-
-  explicit Candidates(const Blobs& blobs) {
-    const auto n = static_cast<std::ptrdiff_t>(blobs.size());
-    for (auto* column : {&x, &y, &gamma, &square, &inverse_cube}) column->resize(n);
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t i = 0; i < n; ++i) {
-      const double s = blobs.sigma[i];
-      x[i] = static_cast<float>(blobs.x[i]);
-      y[i] = static_cast<float>(blobs.y[i]);
-      gamma[i] = shown(blobs.gamma[i]);
-      square[i] = static_cast<float>(s * s);
-      inverse_cube[i] = static_cast<float>(1 / (s * s * s));
-    }
-  }
-};
-
-/// Error of merging i and j, or `never` where it is not allowed. Symmetric in i and j, and free of
-/// branches so that compilers make vectors of it.
-inline float merger_error(const Candidates& b, std::size_t i, std::size_t j, float tolerance,
-                          float reach2, float widest2) {
-  const float gi = b.gamma[i], gj = b.gamma[j];
-  const float dx = b.x[i] - b.x[j], dy = b.y[i] - b.y[j];
-  const float d2 = dx * dx + dy * dy;
-  const float si = b.square[i], sj = b.square[j];
-  const float w = gi / (gi + gj);
-  const float error =
-      std::abs(w * gj) * (d2 + std::abs(si - sj)) * std::max(b.inverse_cube[i], b.inverse_cube[j]);
-  const float wide = w * si + (1 - w) * sj + w * (1 - w) * d2;
-  const bool allowed = ((gi > 0) == (gj > 0)) & (d2 <= reach2 * std::min(si, sj)) &
-                       (error <= tolerance) & (wide <= widest2);
-  return allowed ? error : never;
-}
+using merge_kernel::Candidates;
+using merge_kernel::Choice;
+using merge_kernel::none;
 
 Choice best_partner(const Candidates& blobs, std::uint32_t i, const Bins& bins,
                     const Merging& merging) {
-  constexpr std::uint32_t block = 128;
-  const auto tolerance = static_cast<float>(merging.tolerance);
-  const auto reach2 = static_cast<float>(merging.reach * merging.reach);
-  const auto widest2 = static_cast<float>(merging.sigma_max * merging.sigma_max);
-  std::array<float, block> error;
-  // Equal errors, as of coincident blobs, go to the neighbor in order: all pair up at once.
-  Choice best;
-  if (const std::uint32_t next = i ^ 1; next < blobs.x.size())
-    if (const float e = merger_error(blobs, i, next, tolerance, reach2, widest2); e < never)
-      best = {next, e};
+  merge_kernel::Search<merge_kernel::Lanes> search(blobs, i, merging);
   const double distance = merging.reach * std::sqrt(blobs.square[i]);
-  bins.runs_near({blobs.x[i], blobs.y[i]}, distance, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t j = first; j < last; j += block) {
-      const std::uint32_t count = std::min(block, last - j);
-      float least = never;
-#pragma omp simd reduction(min : least)
-      for (std::uint32_t k = 0; k < count; ++k) {
-        const float e = merger_error(blobs, i, j + k, tolerance, reach2, widest2);
-        error[k] = j + k == i ? never : e;
-        least = std::min(least, error[k]);
-      }
-      if (least >= best.error) continue;
-      const auto found = std::find(error.begin(), error.begin() + count, least);
-      best = {j + static_cast<std::uint32_t>(found - error.begin()), least};
-    }
-  });
-  return best;
+  bins.runs_near({blobs.x[i], blobs.y[i]}, distance,
+                 [&](std::uint32_t first, std::uint32_t last) { search.run(first, last); });
+  return search.best();
 }
 
 /// Blob i of the merged pair (i, j).
