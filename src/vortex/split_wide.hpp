@@ -25,8 +25,8 @@ struct Splitting {
 /// exact answer, and all are shifted together to keep the mean acting position).
 ///
 /// The ring's angle is a hash of seed, step, |gamma| and sigma (to six digits), turned with the
-/// sign of gamma: runs repeat bit for bit, and the mirror image of a symmetric flow splits into mirror
-/// images.
+/// sign of gamma: runs repeat bit for bit, and the mirror image of a symmetric flow splits into
+/// mirror images.
 ///
 /// error   O(sigma^2 (1 - alpha^2)^2) of the Gaussian's fourth moments
 /// source  Rossi, SIAM J. Sci. Comput. 17 (1996)
