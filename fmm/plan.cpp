@@ -59,16 +59,23 @@ bool any_core(const Arrangement& made) {
   return made.shapes.size() > 0 && made.shapes.core[0] > 0.0;
 }
 
+/// The tree, after the phase that follows it was told.
+const tree::Quadtree& announced(const Plan::Phase& phase, std::string_view name,
+                                const tree::Quadtree& tree) {
+  if (phase) phase(name);
+  return tree;
+}
+
 }  // namespace
 
-Plan::Plan(const Blobs& blobs, const Options& options)
+Plan::Plan(const Blobs& blobs, const Options& options, const Phase& phase)
     : options_(resolve(options, blobs)),
       units_(Units::of(blobs)),
       order_(choose_order(options_)),
       blobs_(arrange({blobs.x, blobs.y, blobs.sigma}, units_, growth(options_))),
       gamma_(arrange_gamma(blobs_.tree, blobs.gamma, units_)),
-      multipoles_(blobs_.tree, blobs_.shapes, blobs_.points, gamma_, order_.most(),
-                  coarse(options_)) {}
+      multipoles_(announced(phase, "upward", blobs_.tree), blobs_.shapes, blobs_.points, gamma_,
+                  order_.most(), coarse(options_)) {}
 
 Acceptance Plan::acceptance(bool cored) const {
   const double tolerance = std::max(options_.tolerance, least_tolerance);

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <string_view>
 
 #include "fmm/arrangement.hpp"
 #include "fmm/blobs.hpp"
@@ -41,9 +43,13 @@ struct Options {
 /// source   Huang, Huang, Xu & Hu, Thermal Science 16 (2012), box-to-point
 class Plan {
  public:
+  /// Told the name of a part of the work as it begins, for whoever keeps the time.
+  using Phase = std::function<void(std::string_view)>;
+
+  /// phase   told "upward" when the tree stands and the multipoles begin
   /// cost    O(n order) time and 16 order bytes a cell; the blobs are copied
   /// throws  std::invalid_argument for blobs as check() does, and for options out of range
-  Plan(const Blobs& blobs, const Options& options);
+  Plan(const Blobs& blobs, const Options& options, const Phase& phase = {});
 
   /// At the blobs themselves.
   /// u, v    as many as blobs [m/s], in their input order; overwritten

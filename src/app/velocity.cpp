@@ -43,8 +43,9 @@ Account sum_directly(Problem& problem, const fmm::Options&, Stopwatch& watch) {
 }
 
 Account sum_by_boxes(Problem& problem, const fmm::Options& options, Stopwatch& watch) {
-  watch.begin("plan");
-  const fmm::Plan plan(problem.blobs(), options);
+  watch.begin("tree");
+  const fmm::Plan plan(problem.blobs(), options,
+                       [&watch](std::string_view phase) { watch.begin(phase); });
   watch.begin("evaluate");
   if (problem.elsewhere)
     plan.velocity(problem.points(), problem.u, problem.v);
