@@ -14,17 +14,16 @@
 #include "app/flow_case.hpp"
 #include "app/memory.hpp"
 #include "app/outcome.hpp"
+#include "app/picture.hpp"
 #include "app/places.hpp"
 #include "app/plot.hpp"
 #include "app/progress.hpp"
 #include "app/record.hpp"
 #include "app/signals.hpp"
-#include "io/fields.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
 #include "io/report.hpp"
 #include "io/table.hpp"
-#include "vortex/vorticity.hpp"
 
 namespace vortree::app {
 namespace {
@@ -238,27 +237,7 @@ void Run::save_wall() {
 void Run::save_fields() {
   const bool due = std::ranges::any_of(
       scene_.output.fields, [&](double t) { return std::lround(t / scene_.time.dt) == step_; });
-  if (!due) return;
-  const auto [x0, y0, x1, y1] = *scene_.output.window;
-  const double h = *scene_.output.field_spacing;
-  io::Field field{.time = time(step_), .x = {}, .y = {}, .u = {}, .v = {}, .omega = {}};
-  for (int i = 0; x0 + i * h <= x1 + 1e-9 * h; ++i) field.x.push_back(x0 + i * h);
-  for (int j = 0; y0 + j * h <= y1 + 1e-9 * h; ++j) field.y.push_back(y0 + j * h);
-  std::vector<double> x, y;
-  for (double b : field.y)
-    for (double a : field.x) {
-      x.push_back(a);
-      y.push_back(b);
-    }
-  const vortex::Shape* shape = flow_.wall ? &flow_.wall->shape() : nullptr;
-  vortex::Velocities u = vortex::velocity_at({x, y}, blobs_, flow_.problem);
-  field.omega.resize(x.size());
-  vortex::vorticity(blobs_, shape, {x, y}, field.omega);
-  for (std::size_t k = 0; shape && k < x.size(); ++k)
-    if (shape->nearest({x[k], y[k]}).distance < 0) u.u[k] = u.v[k] = 0;
-  field.u = std::move(u.u);
-  field.v = std::move(u.v);
-  io::append_field(folder_, field);
+  if (due) io::append_field(folder_, picture(time(step_), scene_.output, blobs_, flow_));
 }
 
 /// Relative drift of what is kept: circulation beside a wall, else the second moment but for

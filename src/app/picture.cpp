@@ -1,0 +1,39 @@
+#include "app/picture.hpp"
+
+#include "vortex/vorticity.hpp"
+
+namespace vortree::app {
+namespace {
+
+std::vector<double> axis(double first, double last, double step) {
+  std::vector<double> values;
+  for (int i = 0; first + i * step <= last + 1e-9 * step; ++i) values.push_back(first + i * step);
+  return values;
+}
+
+}  // namespace
+
+io::Field picture(double time, const io::SceneOutput& output, const vortex::Blobs& blobs,
+                  const FlowCase& flow) {
+  const auto [x0, y0, x1, y1] = *output.window;
+  const double h = *output.field_spacing;
+  io::Field field{
+      .time = time, .x = axis(x0, x1, h), .y = axis(y0, y1, h), .u = {}, .v = {}, .omega = {}};
+  std::vector<double> x, y;
+  for (double b : field.y)
+    for (double a : field.x) {
+      x.push_back(a);
+      y.push_back(b);
+    }
+  const vortex::Shape* shape = flow.wall ? &flow.wall->shape() : nullptr;
+  vortex::Velocities u = vortex::velocity_at({x, y}, blobs, flow.problem);
+  field.omega.resize(x.size());
+  vortex::vorticity(blobs, shape, {x, y}, field.omega);
+  for (std::size_t k = 0; shape && k < x.size(); ++k)
+    if (shape->nearest({x[k], y[k]}).distance < 0) u.u[k] = u.v[k] = 0;
+  field.u = std::move(u.u);
+  field.v = std::move(u.v);
+  return field;
+}
+
+}  // namespace vortree::app
