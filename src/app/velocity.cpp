@@ -7,7 +7,8 @@
 
 #include "app/clock.hpp"
 #include "app/memory.hpp"
-#include "app/verify.hpp"
+#include "bench/accuracy.hpp"
+#include "bench/grid.hpp"
 #include "fmm/direct.hpp"
 #include "io/particles.hpp"
 
@@ -63,12 +64,21 @@ Account sum_by_boxes(Problem& problem, const fmm::Options& options, Stopwatch& w
   return account;
 }
 
+Account sum_on_grid(Problem& problem, const fmm::Options& options, Stopwatch& watch) {
+  bench::velocity_grid(problem.blobs(), problem.points(), {.tolerance = options.tolerance},
+                       problem.u, problem.v,
+                       [&watch](std::string_view phase) { watch.begin(phase); });
+  watch.end();
+  return {.tolerance = options.tolerance};
+}
+
 struct Method {
   std::string_view name;
   Summation sum;
 };
 
-constexpr std::array methods{Method{"boxes", sum_by_boxes}, Method{"direct", sum_directly}};
+constexpr std::array methods{Method{"boxes", sum_by_boxes}, Method{"grid", sum_on_grid},
+                             Method{"direct", sum_directly}};
 
 Summation method_named(std::string_view name) {
   const auto found = std::ranges::find(methods, name, &Method::name);
@@ -119,8 +129,8 @@ io::Json median_seconds(const std::vector<Stopwatch>& laps) {
 }
 
 io::Json error_of(const Problem& problem) {
-  const VelocityError error =
-      velocity_error(problem.blobs(), problem.points(), problem.u, problem.v);
+  const bench::Exact exact = bench::exact_velocity(problem.blobs(), problem.points());
+  const bench::VelocityError error = bench::velocity_error(exact, problem.u, problem.v);
   io::Json members;
   members["relative_l2"] = error.relative_l2;
   members["p99"] = error.p99;

@@ -11,7 +11,6 @@
 #include "app/memory.hpp"
 #include "app/progress.hpp"
 #include "app/signals.hpp"
-#include "app/verify.hpp"
 
 using namespace vortree;
 using namespace std::chrono_literals;
@@ -116,26 +115,4 @@ TEST_CASE("the first signal only asks for an end, the second one kills") {
     raise(SIGINT);
   });
   CHECK(WIFSIGNALED(after));
-}
-
-TEST_CASE("the error of velocities that are off by a known amount is that amount") {
-  // Two vortices of gamma 2 pi at distance 2: each moves the other with 1/2.
-  const double gamma = 2 * 3.14159265358979323846;
-  const std::vector<double> x{-1, 1}, y{0, 0}, strength{gamma, gamma}, u{0, 0};
-  const fmm::Blobs blobs{x, y, strength, {}};
-  const fmm::Targets targets{x, y, {}};
-
-  const std::vector<double> off{-0.5, 0.5 + 0.125};
-  const auto error = app::velocity_error(blobs, targets, u, off);
-  CHECK(error.relative_l2 == Approx(0.125 / std::sqrt(0.5)));
-  CHECK(error.max == Approx(0.25));
-  CHECK(error.targets == 2);
-
-  const std::vector<double> broken{-0.5, NAN};
-  CHECK(std::isinf(app::velocity_error(blobs, targets, u, broken).max));
-  CHECK(std::isnan(app::velocity_error(blobs, targets, u, broken).relative_l2));
-
-  const std::vector<double> wide{2, 2},
-      slow{-0.5 * (1 - std::exp(-1.0)), 0.5 * (1 - std::exp(-1.0))};
-  CHECK(app::velocity_error({x, y, strength, wide}, targets, u, slow).max < 1e-15);
 }

@@ -78,6 +78,23 @@ TEST_CASE("boxes and the direct sum agree within the tolerance, for bare and for
   CHECK(relative_l2(boxes, direct) <= 1e-8);
 }
 
+TEST_CASE("the grid sums blobs as the direct sum does, and refuses bare vortices") {
+  const TemporaryFolder folder;
+  write_cloud(folder / "blobs.h5", 2000, true);
+  write_cloud(folder / "bare.h5", 10, false);
+  REQUIRE(call("velocity blobs.h5 --out direct.h5 --method direct", folder).code == 0);
+  const auto outcome =
+      call("velocity blobs.h5 --out grid.h5 --tolerance 1e-8 --method grid", folder);
+  REQUIRE(outcome.code == 0);
+  CHECK(json(folder, outcome.out, "d['method'], d['seconds']['transform'] > 0") == "grid True");
+  CHECK(relative_l2(read_velocities(folder, "grid.h5"), read_velocities(folder, "direct.h5")) <=
+        1e-8);
+  const auto refused = call("velocity bare.h5 --out o.h5 --method grid", folder);
+  CHECK(refused.code == 2);
+  CHECK(refused.error_lines() == 1);
+  CHECK(refused.err.find("bare") != std::string::npos);
+}
+
 TEST_CASE("other targets get the velocities of the sources") {
   const TemporaryFolder folder;
   constexpr double pi = 3.14159265358979323846;
