@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <stdexcept>
 
 #include "app/clock.hpp"
 #include "app/memory.hpp"
 #include "bench/accuracy.hpp"
-#include "bench/grid.hpp"
-#include "fmm/direct.hpp"
+#include "bench/methods.hpp"
 #include "io/particles.hpp"
 
 namespace vortree::app {
@@ -27,63 +28,23 @@ struct Problem {
   }
 };
 
-// What a method says of its work; null where it has no such thing.
-struct Account {
-  io::Json builder{}, tolerance{}, order{}, pairs{};
-};
+const bench::Method& method_named(std::string_view name) {
+  const auto found = std::ranges::find(bench::methods(), name, &bench::Method::name);
+  if (found != bench::methods().end()) return *found;
+  throw std::invalid_argument("no method \"" + std::string(name) + "\"");
+}
 
 // Sums once: the result into the problem, the time into the stopwatch.
-using Summation = Account (*)(Problem& problem, const fmm::Options& options, Stopwatch& watch);
-
-Account sum_directly(Problem& problem, const fmm::Options&, Stopwatch& watch) {
-  watch.begin("near");
-  fmm::velocity_direct(problem.blobs(), problem.points(), fmm::Cores::source, problem.u, problem.v);
-  watch.end();
-  const std::uint64_t n = problem.blobs().size(), m = problem.points().size();
-  return {.pairs = problem.elsewhere ? n * m : n * (std::max<std::uint64_t>(n, 1) - 1)};
+bench::Account sum(Problem& problem, const VelocityJob& job, Stopwatch& watch) {
+  const auto phase = [&watch](std::string_view name) { watch.begin(name); };
+  return method_named(job.method)
+      .sum({problem.blobs(), problem.points(), problem.elsewhere, problem.u, problem.v},
+           job.options, phase, job.repeat > 1);
 }
 
-Account sum_by_boxes(Problem& problem, const fmm::Options& options, Stopwatch& watch) {
-  watch.begin("tree");
-  const fmm::Plan plan(problem.blobs(), options,
-                       [&watch](std::string_view phase) { watch.begin(phase); });
-  watch.begin("evaluate");
-  if (problem.elsewhere)
-    plan.velocity(problem.points(), problem.u, problem.v);
-  else
-    plan.velocity(problem.u, problem.v);
-  watch.end();
-
-  Account account{.builder = options.builder == fmm::Builder::reverse ? "reverse" : "forward",
-                  .tolerance = options.tolerance,
-                  .order = plan.order()};
-  if (!problem.elsewhere) {
-    const fmm::Work work = plan.work();
-    account.pairs = work.bare + work.cored;
-  }
-  return account;
-}
-
-Account sum_on_grid(Problem& problem, const fmm::Options& options, Stopwatch& watch) {
-  bench::velocity_grid(problem.blobs(), problem.points(), {.tolerance = options.tolerance},
-                       problem.u, problem.v,
-                       [&watch](std::string_view phase) { watch.begin(phase); });
-  watch.end();
-  return {.tolerance = options.tolerance};
-}
-
-struct Method {
-  std::string_view name;
-  Summation sum;
-};
-
-constexpr std::array methods{Method{"boxes", sum_by_boxes}, Method{"grid", sum_on_grid},
-                             Method{"direct", sum_directly}};
-
-Summation method_named(std::string_view name) {
-  const auto found = std::ranges::find(methods, name, &Method::name);
-  if (found != methods.end()) return found->sum;
-  throw std::invalid_argument("no method \"" + std::string(name) + "\"");
+template <class Value>
+io::Json if_any(const std::optional<Value>& value) {
+  return value ? io::Json(*value) : io::Json();
 }
 
 Problem read_problem(const VelocityJob& job) {
@@ -143,12 +104,12 @@ io::Json error_of(const Problem& problem) {
 
 std::vector<std::string> velocity_methods() {
   std::vector<std::string> names;
-  for (const Method& method : methods) names.emplace_back(method.name);
+  for (const bench::Method& method : bench::methods()) names.emplace_back(method.name);
   return names;
 }
 
 io::Json velocity(const VelocityJob& job) {
-  const Summation sum = method_named(job.method);
+  method_named(job.method);
   Stopwatch files;
   files.begin("io");
   io::check_writable(job.out);
@@ -156,8 +117,8 @@ io::Json velocity(const VelocityJob& job) {
   files.end();
 
   std::vector<Stopwatch> laps(job.repeat);
-  Account account;
-  for (Stopwatch& lap : laps) account = sum(problem, job.options, lap);
+  bench::Account account;
+  for (Stopwatch& lap : laps) account = sum(problem, job, lap);
 
   files.begin("io");
   write_result(job.out, problem);
@@ -166,11 +127,11 @@ io::Json velocity(const VelocityJob& job) {
   io::Json report;
   report["n"] = std::uint64_t{problem.blobs().size()};
   report["method"] = job.method;
-  report["builder"] = account.builder;
+  report["builder"] = if_any(account.builder);
   report["threads"] = omp_get_max_threads();
-  report["tolerance"] = account.tolerance;
-  report["order"] = account.order;
-  report["pairs"] = account.pairs;
+  report["tolerance"] = if_any(account.tolerance);
+  report["order"] = if_any(account.order);
+  report["pairs"] = account.work ? io::Json(account.work->bare + account.work->cored) : io::Json();
   report["peak_bytes"] = std::uint64_t{peak_bytes()};
   report["seconds"] = median_seconds(laps);
   report["seconds"]["io"] = files.seconds("io");
