@@ -2,9 +2,7 @@
 
 namespace vortree::vortex {
 
-Bins::Bins(std::span<const double> x, std::span<const double> y, double side,
-           std::span<const char> left_out)
-    : side_(side) {
+Bins::Bins(std::span<const double> x, std::span<const double> y, double side) : side_(side) {
   const auto n = static_cast<std::ptrdiff_t>(x.size());
   if (n > 0) {
     const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
@@ -17,20 +15,16 @@ Bins::Bins(std::span<const double> x, std::span<const double> y, double side,
     nx_ = static_cast<std::int64_t>(width / side_) + 1;
     ny_ = static_cast<std::int64_t>(height / side_) + 1;
   }
-  constexpr std::uint32_t nowhere = ~0u;
   std::vector<std::uint32_t> cell_of(n);
 #pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    cell_of[i] =
-        !left_out.empty() && left_out[i] ? nowhere : static_cast<std::uint32_t>(cell(x[i], y[i]));
+  for (std::ptrdiff_t i = 0; i < n; ++i) cell_of[i] = static_cast<std::uint32_t>(cell(x[i], y[i]));
   start_.assign(nx_ * ny_ + 2, 0);
-  for (std::uint32_t c : cell_of)
-    if (c != nowhere) ++start_[c + 2];
+  for (std::uint32_t c : cell_of) ++start_[c + 2];
   for (std::size_t c = 2; c < start_.size(); ++c) start_[c] += start_[c - 1];
   // start_[c + 1] runs from the first to the last place of cell c while they are filled.
-  order_.resize(start_.back());
+  order_.resize(n);
   for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (cell_of[i] != nowhere) order_[start_[cell_of[i] + 1]++] = static_cast<std::uint32_t>(i);
+    order_[start_[cell_of[i] + 1]++] = static_cast<std::uint32_t>(i);
 }
 
 }  // namespace vortree::vortex

@@ -17,29 +17,32 @@ namespace vortree::vortex {
 /// cost  O(n) time and memory
 class Bins {
  public:
-  /// left_out  a flag for each point that is not to be binned; empty: all are
-  Bins(std::span<const double> x, std::span<const double> y, double side,
-       std::span<const char> left_out = {});
+  Bins(std::span<const double> x, std::span<const double> y, double side);
 
   /// Point numbers, cell by cell.
   std::span<const std::uint32_t> order() const { return order_; }
 
-  /// Calls use(first, last) with runs of positions in order() that hold all points within a
-  /// distance of a place, and some more: the cells around it, a run a row.
+  /// Calls use(first, last) with runs of positions in order() that hold all points of a rectangle,
+  /// and some more: the cells it meets, a run a row.
+  template <class Use>
+  void runs_in(Vec2 low, Vec2 high, Use use) const {
+    const std::int64_t left = column(low.x), right = column(high.x), top = row(high.y);
+    for (std::int64_t r = row(low.y); r <= top; ++r)
+      use(start_[r * nx_ + left], start_[r * nx_ + right + 1]);
+  }
+
+  /// The same for all points within a distance of a place.
   template <class Use>
   void runs_near(Vec2 at, double distance, Use use) const {
-    const std::int64_t left = column(at.x - distance), right = column(at.x + distance);
-    const std::int64_t top = row(at.y + distance);
-    for (std::int64_t r = row(at.y - distance); r <= top; ++r)
-      use(start_[r * nx_ + left], start_[r * nx_ + right + 1]);
+    runs_in(at - Vec2{distance, distance}, at + Vec2{distance, distance}, use);
   }
 
  private:
   std::int64_t column(double x) const {
-    return static_cast<std::int64_t>(std::clamp((x - x0_) / side_, 0.0, nx_ - 0.5));
+    return static_cast<std::int64_t>(std::min(std::max(0.0, (x - x0_) / side_), nx_ - 0.5));
   }
   std::int64_t row(double y) const {
-    return static_cast<std::int64_t>(std::clamp((y - y0_) / side_, 0.0, ny_ - 0.5));
+    return static_cast<std::int64_t>(std::min(std::max(0.0, (y - y0_) / side_), ny_ - 0.5));
   }
   std::int64_t cell(double x, double y) const { return row(y) * nx_ + column(x); }
 

@@ -28,6 +28,11 @@ class Circle final : public Shape {
     return {theta * radius_, r - radius_, normal, 1 / radius_};
   }
 
+  double distance(Vec2 at) const override {
+    const Vec2 d = at - centre_;
+    return std::sqrt(dot(d, d)) - radius_;
+  }
+
  private:
   Vec2 centre_;
   double radius_;

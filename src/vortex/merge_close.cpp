@@ -1,139 +1,230 @@
 #include "vortex/merge_close.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "vortex/bins.hpp"
-#include "vortex/folded_core.hpp"
 #include "vortex/merge_kernel.hpp"
+#include "vortex/merge_windows.hpp"
 
 namespace vortree::vortex {
 namespace {
 
-using merge_kernel::Candidates;
 using merge_kernel::Choice;
+using merge_kernel::Limits;
 using merge_kernel::none;
 
-Choice best_partner(const Candidates& blobs, std::uint32_t i, const Bins& bins,
-                    const Merging& merging) {
-  merge_kernel::Search<merge_kernel::Lanes> search(blobs, i, merging);
-  const double distance = merging.reach * std::sqrt(blobs.square[i]);
-  bins.runs_near({blobs.x[i], blobs.y[i]}, distance,
-                 [&](std::uint32_t first, std::uint32_t last) { search.run(first, last); });
-  return search.best();
-}
+/// Merges like signed parts wherever they are, until no pair is left.
+class Remainder {
+ public:
+  Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Merging& merging);
 
-/// Blob i of the merged pair (i, j).
-void merge(Blobs& b, std::size_t i, std::size_t j, const Shape* wall) {
-  const double gamma = b.gamma[i] + b.gamma[j], w = gamma != 0 ? b.gamma[i] / gamma : 0.5;
-  const double mean_square = w * b.sigma[i] * b.sigma[i] + (1 - w) * b.sigma[j] * b.sigma[j];
-  const Vec2 apart = b.centre(i) - b.centre(j);
-  Placed merged{w * b.centre(i) + (1 - w) * b.centre(j),
-                std::sqrt(mean_square + w * (1 - w) * dot(apart, apart))};
-  if (wall && folded::applies(wall->nearest(merged.centre).distance, 2 * merged.sigma)) {
-    const double across = wall->nearest(b.centre(i)).distance - wall->nearest(b.centre(j)).distance;
-    const Vec2 mean = w * acting_position(b.centre(i), b.sigma[i], wall) +
-                      (1 - w) * acting_position(b.centre(j), b.sigma[j], wall);
-    merged = place(mean, std::sqrt(mean_square + 2 * w * (1 - w) * across * across), wall);
+  /// Flags in `gone` those that have merged into others.
+  void merge(std::span<char> gone);
+
+ private:
+  using Number = std::uint32_t;
+
+  void look_at(Number i) {
+    const Part& p = parts_[i];
+    candidates_.put(slot_[i], p.x, p.y, std::abs(p.gamma), p.square);
   }
-  b.x[i] = merged.centre.x;
-  b.y[i] = merged.centre.y;
-  b.gamma[i] = gamma;
-  b.sigma[i] = merged.sigma;
-}
+  double reach_of(std::size_t slot) const;
+  std::size_t seek_together(std::span<const Number> seeking);
+  void choose(std::span<const Number> seeking);
+  std::vector<std::pair<Number, Number>> mutual_pairs();
+  void join(Number into, Number other);
+  std::vector<Number> deserted();
 
-/// Blobs on their way to being merged; who is merged away, and who still seeks a partner.
-struct Crowd {
-  Blobs blobs;
-  std::vector<Choice> choice;
-  std::vector<char> gone, seeking;
-
-  std::ptrdiff_t size() const { return std::ssize(gone); }
-
-  void resize(std::size_t n) {
-    blobs.resize(n);
-    choice.resize(n);
-    gone.assign(n, 0);
-    seeking.resize(n);
-  }
+  std::span<Part> parts_;
+  std::span<AtWall> at_wall_;
+  Limits limits_;
+  double side_;  // of what seeks together
+  Bins bins_;
+  std::vector<Number> slot_;  // place in the bins' order, which is that of the candidates
+  merge_kernel::Columns<std::vector<float>> candidates_;
+  std::vector<float> home_x_, home_y_;  // of candidates when they were binned
+  float farthest_from_home_ = 0;
+  std::vector<Choice> choice_;
+  std::vector<Number> choosers_;  // all who have a choice
+  std::vector<char> paired_;
 };
 
-/// Those of `from` that are not gone, in a new order; `now` is room for their new numbers.
-void gather(const Crowd& from, std::span<const std::uint32_t> order,
-            std::vector<std::uint32_t>& now, Crowd& to) {
-  const std::ptrdiff_t n = std::ssize(order);
-  to.resize(n);
-  now.resize(from.size());
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t k = 0; k < n; ++k) now[order[k]] = static_cast<std::uint32_t>(k);
+Bins binned(std::span<const Part> parts, double side) {
+  std::vector<double> x(parts.size()), y(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    x[i] = parts[i].x;
+    y[i] = parts[i].y;
+  }
+  return Bins(x, y, side);
+}
+
+Remainder::Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Merging& merging)
+    : parts_(parts),
+      at_wall_(at_wall),
+      limits_(merging),
+      side_(4 * merging.sigma_max),
+      bins_(binned(parts, merging.reach * merging.sigma_max / 4)),
+      slot_(parts.size()),
+      choice_(parts.size()),
+      paired_(parts.size()) {
+  for (auto* column : {&candidates_.x, &candidates_.y, &candidates_.gamma, &candidates_.square,
+                       &candidates_.inverse_cube})
+    column->resize(parts.size());
+  const std::ptrdiff_t n = std::ssize(parts);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t k = 0; k < n; ++k) {
-    const std::uint32_t i = order[k];
-    to.blobs.put(k, from.blobs.centre(i), from.blobs.gamma[i], from.blobs.sigma[i]);
-    to.seeking[k] = from.seeking[i];
-    const Choice c = from.choice[i];
-    to.choice[k] = c.partner == none ? c : Choice{now[c.partner], c.error};
+    const Number i = bins_.order()[k];
+    slot_[i] = static_cast<Number>(k);
+    look_at(i);
+  }
+  home_x_ = candidates_.x;
+  home_y_ = candidates_.y;
+}
+
+/// Partners of no smaller circulation: the error allows them no farther away than for half this
+/// part's circulation. Smaller ones choose this part themselves.
+double Remainder::reach_of(std::size_t slot) const {
+  const float allowed =
+      2 * limits_.tolerance / (candidates_.gamma[slot] * candidates_.inverse_cube[slot]);
+  const float within = std::sqrt(std::min(limits_.reach2 * candidates_.square[slot], allowed));
+  return 1.00001 * within + farthest_from_home_;
+}
+
+/// The first of these, and as many more as fit a vector and lie close, choose their partners.
+/// Returns how many.
+std::size_t Remainder::seek_together(std::span<const Number> seeking) {
+  merge_kernel::Seekers<merge_kernel::Lanes> seekers;
+  Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  const Part& first = parts_[seeking[0]];
+  for (Number i : seeking.first(std::min(seeking.size(), seekers.most))) {
+    const Part& p = parts_[i];
+    if (std::max(std::abs(p.x - first.x), std::abs(p.y - first.y)) > side_) break;
+    const Number slot = slot_[i];
+    seekers.add(candidates_, slot, slot);
+    const double reach = reach_of(slot);
+    low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach)};
+    high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach)};
+  }
+  seekers.choose(candidates_, [&](auto consider) {
+    bins_.runs_in(low, high, [&](Number from, Number to) {
+      for (Number slot = from; slot < to; ++slot) consider(slot, limits_);
+    });
+  });
+  for (std::size_t k = 0; k < seekers.size(); ++k) {
+    Choice choice = seekers.choice(k);
+    if (choice.partner != none) choice.partner = bins_.order()[choice.partner];
+    choice_[seeking[k]] = choice;
+  }
+  return seekers.size();
+}
+
+/// Those who seek choose among all, then all are offered to those they have chosen.
+void Remainder::choose(std::span<const Number> seeking) {
+  constexpr std::size_t chunk = 256;
+  const std::size_t chunks = (seeking.size() + chunk - 1) / chunk;
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::size_t c = 0; c < chunks; ++c)
+    for (auto left = seeking.subspan(c * chunk).first(std::min(chunk, seeking.size() - c * chunk));
+         !left.empty();)
+      left = left.subspan(seek_together(left));
+  for (Number i : seeking)
+    if (choice_[i].partner != none) choosers_.push_back(i);
+  for (std::size_t k = 0; k < choosers_.size(); ++k) {
+    const Number i = choosers_[k];
+    const Choice mine = choice_[i];
+    Choice& theirs = choice_[mine.partner];
+    if (theirs.partner == none) choosers_.push_back(mine.partner);
+    if (mine.error < theirs.error || (mine.error == theirs.error && i < theirs.partner))
+      theirs = {i, mine.error};
   }
 }
 
-/// Those who seek choose among all, then each is offered to the one it has chosen.
-void choose(Crowd& crowd, const Bins& bins, const Merging& merging) {
-  const std::ptrdiff_t n = crowd.size();
-  const Candidates candidates(crowd.blobs);
-#pragma omp parallel for schedule(dynamic, 128)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (crowd.seeking[i]) crowd.choice[i] = best_partner(candidates, i, bins, merging);
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (const Choice c = crowd.choice[i];
-        crowd.seeking[i] && c.partner != none && c.error < crowd.choice[c.partner].error)
-      crowd.choice[c.partner] = {static_cast<std::uint32_t>(i), c.error};
+std::vector<std::pair<Remainder::Number, Remainder::Number>> Remainder::mutual_pairs() {
+  std::vector<std::pair<Number, Number>> pairs;
+  for (Number i : choosers_)
+    if (const Number j = choice_[i].partner; i < j && choice_[j].partner == i) {
+      pairs.emplace_back(i, j);
+      paired_[i] = paired_[j] = 1;
+    }
+  return pairs;
 }
 
-/// Merges all mutual pairs into their first. True if anyone seeks again.
-bool merge_mutual(Crowd& crowd, const Shape* wall) {
-  const std::ptrdiff_t n = crowd.size();
-  const auto& choice = crowd.choice;
-  const auto mutual = [&](std::uint32_t i) {
-    return choice[i].partner != none && choice[choice[i].partner].partner == i;
-  };
-  bool any = false;
-#pragma omp parallel for schedule(static) reduction(|| : any)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const std::uint32_t j = choice[i].partner;
-    const bool paired = mutual(i);
-    crowd.gone[i] = paired && j < i;
-    crowd.seeking[i] = !crowd.gone[i] && j != none && (paired || mutual(j));
-    any = any || crowd.seeking[i];
-    if (paired && j > i) merge(crowd.blobs, i, j, wall);
+void Remainder::join(Number into, Number other) {
+  merge_kernel::merge(parts_[into], parts_[other], at_wall_);
+  look_at(into);
+  const Number slot = slot_[into];
+  candidates_.x[slot_[other]] = merge_kernel::never;  // out of everybody's reach
+  farthest_from_home_ = std::max(
+      farthest_from_home_,
+      std::hypot(candidates_.x[slot] - home_x_[slot], candidates_.y[slot] - home_y_[slot]));
+}
+
+/// Takes those who have merged, and those whose choice has, out of the choosers.
+std::vector<Remainder::Number> Remainder::deserted() {
+  std::vector<Number> seeking;
+  std::erase_if(choosers_, [&](Number i) {
+    const bool alone = paired_[i] || paired_[choice_[i].partner];
+    if (alone) seeking.push_back(i);
+    return alone;
+  });
+  std::ranges::sort(seeking);
+  return seeking;
+}
+
+void Remainder::merge(std::span<char> gone) {
+  std::vector<Number> seeking(parts_.size());
+  std::iota(seeking.begin(), seeking.end(), 0u);
+  while (!seeking.empty()) {
+    choose(seeking);
+    const auto pairs = mutual_pairs();
+    for (const auto& [into, other] : pairs) {
+      join(into, other);
+      gone[other] = 1;
+    }
+    seeking = deserted();
+    for (const auto& [into, other] : pairs) paired_[into] = paired_[other] = 0;
+    for (Number i : seeking) choice_[i] = {};
+    std::erase_if(seeking, [&](Number i) { return gone[i]; });
   }
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i)
-    if (crowd.seeking[i]) crowd.choice[i] = {};
-  return any;
+}
+
+void merge_remainder(Parts& parts, const Merging& merging) {
+  std::vector<char> gone(parts.all.size());
+  const auto negative = std::ranges::find_if(parts.all, [](const Part& p) { return p.gamma < 0; });
+  const std::size_t split = negative - parts.all.begin(), n = parts.all.size();
+  for (const auto& [first, last] : {std::pair{std::size_t{0}, split}, std::pair{split, n}})
+    if (last > first)
+      Remainder({&parts.all[first], last - first}, parts.at_wall, merging)
+          .merge({&gone[first], last - first});
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (!gone[i]) parts.all[left++] = parts.all[i];
+  parts.all.resize(left);
 }
 
 }  // namespace
 
+void merge_close(Parts& parts, const Merging& merging) {
+  if (merging.tolerance <= 0 || parts.all.size() < 2) return;
+  // What lies within a core or so merges in windows. Farther partners are for weak vorticity, where
+  // sigma_max is what limits mergers: taken at a window's border they would leave more blobs.
+  Merging near = merging;
+  double shift = 0;
+  for (double cores : {0.9, 1.5}) {
+    near.reach = std::min(merging.reach, cores);
+    merge_in_windows(parts, near, shift);
+    shift += 0.37;  // no border of a quarter of a tile is one again
+  }
+  merge_remainder(parts, merging);
+}
+
 void merge_close(Blobs& blobs, const Merging& merging, const Shape* wall) {
   if (merging.tolerance <= 0 || blobs.size() < 2) return;
-  const double side = merging.reach * merging.sigma_max / 4;
-  Crowd crowd, sorted;
-  crowd.resize(blobs.size());
-  crowd.blobs = std::move(blobs);
-  blobs = {};
-  std::ranges::fill(crowd.seeking, 1);
-  std::vector<std::uint32_t> now;
-  bool any = true;
-  while (any) {
-    Bins bins(crowd.blobs.x, crowd.blobs.y, side, crowd.gone);
-    gather(crowd, bins.order(), now, sorted);
-    std::swap(crowd, sorted);
-    choose(crowd, bins, merging);
-    any = merge_mutual(crowd, wall);
-  }
-  blobs.reserve(crowd.blobs.size());
-  for (std::size_t i = 0; i < crowd.gone.size(); ++i)
-    if (!crowd.gone[i])
-      blobs.append(crowd.blobs.centre(i), crowd.blobs.gamma[i], crowd.blobs.sigma[i]);
+  Parts parts = loosened(blobs, wall);
+  merge_close(parts, merging);
+  blobs = settled(parts, wall);
 }
 
 }  // namespace vortree::vortex

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vortex/acting.hpp"
+#include "vortex/parts.hpp"
 
 namespace vortree::vortex {
 
@@ -27,11 +27,16 @@ struct Merging {
 /// the wall widens the core (2 g1 g2 d_n^2/gamma^2 in place of d^2), so that merging along the wall
 /// diffuses nothing away from it; there a merger may pass sigma_max a little.
 ///
-/// Repeated until no pair is left. Mutual choice needs no order of the blobs: the mirror image of a
-/// flow merges into its mirror image (up to ties), whatever the threads. The blobs come out sorted
-/// by place.
+/// Most pairs are neighbors: first windows of 32 of them merge in the cache (merge_windows.hpp),
+/// then whoever is left chooses among all within reach, until no pair is left. Whom a blob chooses
+/// depends on places alone: the mirror image (in the x axis) of a flow merges into its mirror image
+/// (up to ties), whatever the order of the blobs and the threads. The blobs come out sorted by sign
+/// and place.
 ///
-/// cost    O(blobs times candidates within reach) once, then only around what has merged
+/// cost    O(blobs) for the windows; for what they leave, times the candidates within reach
 void merge_close(Blobs& blobs, const Merging& merging, const Shape* wall);
+
+/// The same for what was split; parts beside a wall are still to be settled there.
+void merge_close(Parts& parts, const Merging& merging);
 
 }  // namespace vortree::vortex

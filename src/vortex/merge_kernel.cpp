@@ -1,22 +1,123 @@
 #include "vortex/merge_kernel.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace vortree::vortex::merge_kernel {
 
-Candidates::Candidates(const Blobs& blobs) : size(static_cast<std::uint32_t>(blobs.size())) {
-  for (auto* column : {&x, &y, &gamma, &square, &inverse_cube})
-    column->assign(size + Lanes::size(), never);
-#pragma omp parallel for schedule(static)
-  for (std::uint32_t i = 0; i < size; ++i) {
-    const double s = blobs.sigma[i], g = blobs.gamma[i];
-    x[i] = static_cast<float>(blobs.x[i]);
-    y[i] = static_cast<float>(blobs.y[i]);
-    // Quartered often enough, circulations vanish in single precision; their sign must not.
-    gamma[i] = static_cast<float>(std::copysign(std::max(std::abs(g), 1e-30), g));
-    square[i] = static_cast<float>(s * s);
-    inverse_cube[i] = static_cast<float>(1 / (s * s * s));
+void merge(Part& p, const Part& q, std::span<AtWall> at_wall) {
+  const double gamma = p.gamma + q.gamma, w = gamma != 0 ? p.gamma / gamma : 0.5;
+  const Vec2 apart = p.centre() - q.centre();
+  double spread = w * (1 - w) * dot(apart, apart);
+  if (p.at_wall != no_wall || q.at_wall != no_wall) {
+    const std::uint32_t slot = p.at_wall != no_wall ? p.at_wall : q.at_wall;
+    const AtWall& other = at_wall[q.at_wall != no_wall ? q.at_wall : slot];
+    const Vec2 offset_p = p.at_wall != no_wall ? at_wall[p.at_wall].offset : Vec2{};
+    const Vec2 offset_q = q.at_wall != no_wall ? at_wall[q.at_wall].offset : Vec2{};
+    const Vec2 normal = 0.5 * (at_wall[slot].normal + other.normal);
+    const double across = dot(normal, apart);
+    spread = 2 * w * (1 - w) * across * across;
+    at_wall[slot] = {w * offset_p + (1 - w) * offset_q, normal, true};
+    p.at_wall = slot;
   }
+  const Vec2 at = w * p.centre() + (1 - w) * q.centre();
+  p.x = at.x;
+  p.y = at.y;
+  p.square = w * p.square + (1 - w) * q.square + spread;
+  p.gamma = gamma;
+}
+
+namespace {
+
+void for_each(std::uint32_t set, auto use) {
+  for (; set != 0; set &= set - 1) use(static_cast<std::uint8_t>(std::countr_zero(set)));
+}
+constexpr std::uint32_t bit(std::uint8_t i) {
+  return 1u << i;
+}
+
+}  // namespace
+
+/// Those who seek, a vector of them at a time, look at all who live.
+void Window::choose(const Limits& limits) {
+  chose_ &= ~seeking_;
+  for (Set left = seeking_; left != 0;) {
+    Seekers<Lanes> seekers;
+    std::array<Number, Lanes::size()> who;
+    for (; left != 0 && seekers.size() < Lanes::size(); left &= left - 1) {
+      const auto i = static_cast<Number>(std::countr_zero(left));
+      who[seekers.size()] = i;
+      seekers.add(traits_, i, i);
+    }
+    seekers.choose(
+        traits_, [&](auto consider) { for_each(alive_, [&](Number i) { consider(i, limits); }); });
+    for (std::size_t k = 0; k < seekers.size(); ++k) {
+      const Choice choice = seekers.choice(k);
+      error_[who[k]] = choice.error;
+      partner_[who[k]] = static_cast<Number>(choice.partner);
+      chose_ |= choice.partner != none ? bit(who[k]) : 0;
+    }
+  }
+}
+
+/// Those who chose are offered to whom they chose.
+void Window::offer() {
+  for_each(seeking_ & chose_, [&](Number i) {
+    const Number j = partner_[i];
+    if (error_[i] >= error_[j]) return;
+    error_[j] = error_[i];
+    partner_[j] = i;
+    chose_ |= bit(j);
+  });
+}
+
+/// The first of each mutual pair; they and those they have left alone seek again.
+Window::Set Window::pair_up() {
+  Set first = 0, second = 0, alone = 0;
+  for_each(chose_, [&](Number i) {
+    const Number j = partner_[i];
+    const bool mutual = partner_[j] == i && i < j;
+    first |= mutual ? bit(i) : 0;
+    second |= mutual ? bit(j) : 0;
+  });
+  const Set paired = first | second;
+  for_each(chose_ & ~paired, [&](Number i) { alone |= paired & bit(partner_[i]) ? bit(i) : 0; });
+  alive_ &= ~second;
+  chose_ &= ~second;
+  seeking_ = first | alone;
+  return first;
+}
+
+void Window::look_at(std::span<const std::uint32_t> members, std::span<const Part> parts) {
+  const double x0 = parts[members[0]].x, y0 = parts[members[0]].y;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Part& p = parts[members[i]];
+    traits_.put(i, p.x - x0, p.y - y0, std::abs(p.gamma), p.square);
+  }
+}
+
+std::size_t Window::merge(std::span<std::uint32_t> members, std::span<Part> parts,
+                          std::span<AtWall> at_wall, const Limits& limits) {
+  const double x0 = parts[members[0]].x, y0 = parts[members[0]].y;
+  look_at(members, parts);
+  error_.fill(never);
+  partner_.fill(nobody);
+  chose_ = 0;
+  alive_ = seeking_ = static_cast<Set>(~0ull >> (64 - members.size()));
+  while (true) {
+    choose(limits);
+    offer();
+    const Set first = pair_up();
+    if (first == 0) break;
+    for_each(first, [&](Number i) {
+      Part& p = parts[members[i]];
+      merge_kernel::merge(p, parts[members[partner_[i]]], at_wall);
+      traits_.put(i, p.x - x0, p.y - y0, std::abs(p.gamma), p.square);
+    });
+  }
+  std::size_t left = 0;
+  for_each(alive_, [&](Number i) { members[left++] = members[i]; });
+  return left;
 }
 
 }  // namespace vortree::vortex::merge_kernel

@@ -1,14 +1,17 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <experimental/simd>
 #include <limits>
+#include <span>
 #include <vector>
 
-#include "vortex/blobs.hpp"
 #include "vortex/merge_close.hpp"
+#include "vortex/parts.hpp"
 
 namespace vortree::vortex::merge_kernel {
 
@@ -25,77 +28,148 @@ struct Choice {
   float error = never;
 };
 
-/// What choosing a partner reads of the blobs, in single precision: a choice to seven digits is as
-/// good, and twice as many fit a vector. Behind the last blob the columns go on for a vector with
-/// blobs out of everybody's reach.
-struct Candidates {
-  std::uint32_t size;
-  std::vector<float> x, y, gamma, square, inverse_cube;
+/// What a choice of partners looks at, in single precision: a choice to seven digits is as good,
+/// and twice as many fit a vector.
+struct Limits {
+  float tolerance, reach2, widest2;
 
-  explicit Candidates(const Blobs& blobs);
+  explicit Limits(const Merging& merging)
+      : tolerance(static_cast<float>(merging.tolerance)),
+        reach2(static_cast<float>(merging.reach * merging.reach)),
+        widest2(static_cast<float>(merging.sigma_max * merging.sigma_max)) {}
 };
 
-/// Error of merging blob i with the blobs from j on, one a lane, or `never` where merge_close.hpp
-/// does not allow it. Symmetric in i and j.
 template <class V>
-V error(const Candidates& b, std::uint32_t i, std::uint32_t j, const Merging& merging) {
-  const auto from = [j](const std::vector<float>& column) {
-    return V(&column[j], stdx::element_aligned);
-  };
-  const V gi = b.gamma[i], si = b.square[i];
-  const V gj = from(b.gamma), sj = from(b.square);
-  const V dx = b.x[i] - from(b.x), dy = b.y[i] - from(b.y);
+struct Traits {
+  V x, y, gamma, square, inverse_cube;
+};
+
+/// Error of merging a with b, or `never` where merge_close.hpp does not allow it: for parts of like
+/// sign, whose gamma are both given as positive. Symmetric in a and b.
+template <class V>
+[[gnu::always_inline]] inline V error(const Traits<V>& a, const Traits<V>& b,
+                                      const Limits& limits) {
+  const V dx = a.x - b.x, dy = a.y - b.y;
   const V d2 = dx * dx + dy * dy;
-  const V w = gi / (gi + gj);
-  const V reduced = abs(w * gj), unlike = abs(si - sj);
-  const V cost = reduced * (d2 + unlike) * max(V(b.inverse_cube[i]), from(b.inverse_cube));
-  const V wide = w * si + (1.0f - w) * sj + w * (1.0f - w) * d2;
-  const auto reach2 = static_cast<float>(merging.reach * merging.reach);
-  const auto widest2 = static_cast<float>(merging.sigma_max * merging.sigma_max);
+  const V w = a.gamma / (a.gamma + b.gamma);
+  const V unlike = a.square - b.square;
+  const V cost = w * b.gamma * (d2 + abs(unlike)) * max(a.inverse_cube, b.inverse_cube);
+  const V wide = b.square + w * (unlike + (1.0f - w) * d2);
   V result = never;
-  where(((gi > 0.0f) == (gj > 0.0f)) && d2 <= reach2 * min(si, sj) &&
-            cost <= V(static_cast<float>(merging.tolerance)) && wide <= V(widest2),
+  where(d2 <= limits.reach2 * min(a.square, b.square) && wide <= V(limits.widest2) &&
+            cost <= V(limits.tolerance),
         result) = cost;
   return result;
 }
 
-/// The best partner of one blob among runs of others, lane by lane.
-template <class V>
-class Search {
- public:
-  Search(const Candidates& blobs, std::uint32_t i, const Merging& merging)
-      : blobs_(blobs), merging_(merging), i_(i) {}
+/// Traits in columns.
+template <class Column>
+struct Columns {
+  Column x, y, gamma, square, inverse_cube;
 
-  /// A run is read on to whole vectors: what lies behind it are candidates, too.
-  void run(std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t j = first; j < last; j += V::size()) {
-      const V e = error<V>(blobs_, i_, j, merging_);
-      const auto better = e < least_;
-      if (none_of(better)) continue;
-      for (std::uint32_t k = 0; k < V::size(); ++k)
-        if (better[k] && j + k != i_) {
-          least_[k] = static_cast<float>(e[k]);
-          partner_[k] = j + k;
-        }
-    }
+  /// gamma must be positive; too small a one vanishes in single precision, and is kept above it.
+  void put(std::size_t k, double at_x, double at_y, double g, double s2) {
+    x[k] = static_cast<float>(at_x);
+    y[k] = static_cast<float>(at_y);
+    gamma[k] = std::max(static_cast<float>(g), 1e-30f);
+    square[k] = static_cast<float>(s2);
+    inverse_cube[k] = 1 / (square[k] * std::sqrt(square[k]));
+  }
+  void copy(std::size_t to, const auto& from, std::size_t k) {
+    x[to] = from.x[k];
+    y[to] = from.y[k];
+    gamma[to] = from.gamma[k];
+    square[to] = from.square[k];
+    inverse_cube[to] = from.inverse_cube[k];
+  }
+  /// The one at k, in all lanes.
+  template <class V>
+  Traits<V> lone(std::size_t k) const {
+    return {x[k], y[k], gamma[k], square[k], inverse_cube[k]};
+  }
+  /// Those from k on, one a lane.
+  template <class V>
+  Traits<V> lanes(std::size_t k) const {
+    const auto from = [k](const Column& column) { return V(&column[k], stdx::element_aligned); };
+    return {from(x), from(y), from(gamma), from(square), from(inverse_cube)};
+  }
+};
+
+/// Parts that look for partners together, one a lane.
+template <class V>
+class Seekers {
+ public:
+  static constexpr std::size_t most = V::size();
+
+  std::size_t size() const { return size_; }
+
+  void add(const auto& columns, std::size_t k, std::uint32_t number) {
+    numbers_[size_] = tag(number);
+    mine_.copy(size_++, columns, k);
   }
 
-  /// Equal errors, as of coincident blobs, go to the neighbor in order: all pair up at once.
-  Choice best() const {
-    Choice choice;
-    if (const std::uint32_t next = i_ ^ 1; next < blobs_.size)
-      if (const float e = error<Lone>(blobs_, i_, next, merging_)[0]; e < never) choice = {next, e};
-    for (std::uint32_t k = 0; k < V::size(); ++k)
-      if (least_[k] < choice.error) choice = {partner_[k], least_[k]};
-    return choice;
+  /// Hands a function that considers one more candidate, given by number, to `all`, which is to
+  /// call it for every candidate. Among equals, the first is chosen.
+  void choose(const auto& columns, const auto& all) {
+    for (std::size_t k = size_; k < most; ++k) {
+      mine_.copy(k, mine_, 0);
+      numbers_[k] = numbers_[0];
+    }
+    const Traits<V> seekers = mine_.template lanes<V>(0);
+    const V own(numbers_.data(), stdx::element_aligned);
+    V least = never, partner = never;
+    all([&](std::uint32_t number, const Limits& limits) {
+      const V e = error(seekers, columns.template lone<V>(number), limits);
+      const V candidate = tag(number);
+      const auto better = e < least && own != candidate;
+      where(better, least) = e;
+      where(better, partner) = candidate;
+    });
+    least.copy_to(errors_.data(), stdx::element_aligned);
+    partner.copy_to(partners_.data(), stdx::element_aligned);
+  }
+
+  Choice choice(std::size_t k) const {
+    return errors_[k] < never ? Choice{number(partners_[k]), errors_[k]} : Choice{};
   }
 
  private:
-  const Candidates& blobs_;
-  const Merging& merging_;
-  std::uint32_t i_;
-  V least_ = never;
-  std::array<std::uint32_t, V::size()> partner_{};
+  // Numbers travel in vectors of float as the bits of floats above 1, where none is denormal.
+  static float tag(std::uint32_t number) { return std::bit_cast<float>(number + 0x3f800000u); }
+  static std::uint32_t number(float tag) { return std::bit_cast<std::uint32_t>(tag) - 0x3f800000u; }
+
+  Columns<std::array<float, most>> mine_;
+  std::array<float, most> numbers_, errors_, partners_;
+  std::size_t size_ = 0;
 };
+
+/// Like signed parts that merge among each other, at most so many at once.
+class Window {
+ public:
+  static constexpr std::size_t most = 32;
+
+  /// Merges pairs of mutual choice until there is none. `members` are numbers of parts; those that
+  /// are left come first, in their order, and are counted.
+  std::size_t merge(std::span<std::uint32_t> members, std::span<Part> parts,
+                    std::span<AtWall> at_wall, const Limits& limits);
+
+ private:
+  using Set = std::uint32_t;  // a bit each
+  using Number = std::uint8_t;
+  static constexpr Number nobody = 0xff;
+
+  void look_at(std::span<const std::uint32_t> members, std::span<const Part> parts);
+  void choose(const Limits& limits);
+  void offer();
+  Set pair_up();
+
+  Columns<std::array<float, most>> traits_;
+  std::array<float, most> error_;
+  std::array<Number, most> partner_;
+  Set alive_, seeking_, chose_;
+};
+
+/// Merges q into p.
+void merge(Part& p, const Part& q, std::span<AtWall> at_wall);
 
 }  // namespace vortree::vortex::merge_kernel

@@ -27,6 +27,8 @@ class Shape {
   virtual double perimeter() const = 0;
   virtual Vec2 point(double arc) const = 0;
   virtual WallPoint nearest(Vec2 at) const = 0;
+  /// nearest(at).distance, to round-off, for those who need no more
+  virtual double distance(Vec2 at) const { return nearest(at).distance; }
 };
 
 std::unique_ptr<Shape> circle(Vec2 centre, double radius);

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "vortex/acting.hpp"
+#include "vortex/parts.hpp"
 
 namespace vortree::vortex {
 
@@ -24,12 +24,17 @@ struct Splitting {
 /// wall circulation and impulse (children that land in the body are reflected, the folded picture's
 /// exact answer, and all are shifted together to keep the mean acting position).
 ///
-/// The ring's angle is a hash of seed, step, |gamma| and sigma (to six digits), turned with the
-/// sign of gamma: runs repeat bit for bit, and the mirror image of a symmetric flow splits into
-/// mirror images.
+/// The ring's angle, one of 1024, is a hash of seed, step, |gamma| and sigma (to six digits),
+/// turned with the sign of gamma: runs repeat bit for bit, and the mirror image of a symmetric flow
+/// splits into mirror images.
 ///
 /// error   O(sigma^2 (1 - alpha^2)^2) of the Gaussian's fourth moments
 /// source  Rossi, SIAM J. Sci. Comput. 17 (1996)
 void split_wide(Blobs& blobs, const Splitting& splitting, const Shape* wall, std::uint64_t step);
+
+/// The same for what is to be merged next: children keep the acting positions that they are to
+/// have.
+Parts split_apart(const Blobs& blobs, const Splitting& splitting, const Shape* wall,
+                  std::uint64_t step);
 
 }  // namespace vortree::vortex

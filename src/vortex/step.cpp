@@ -85,9 +85,10 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
   }
   if (p.flow.nu > 0) {
     phase("split");
-    split_wide(blobs, p.splitting, shape, number);
+    Parts parts = split_apart(blobs, p.splitting, shape, number);
     phase("merge");
-    merge_close(blobs, p.merging, shape);
+    merge_close(parts, p.merging);
+    blobs = settled(parts, shape);
   }
   return wake;
 }

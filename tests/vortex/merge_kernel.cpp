@@ -1,62 +1,130 @@
 #include "vortex/merge_kernel.hpp"
 
 #include <catch2/catch.hpp>
+#include <numeric>
 #include <random>
+
+#include "vortex/invariants.hpp"
 
 namespace vortree::vortex::merge_kernel {
 namespace {
+
+using Table = Columns<std::vector<float>>;
 
 Blobs cloud(std::size_t n) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
   Blobs blobs;
   for (std::size_t i = 0; i < n; ++i)
-    blobs.append({unit(random), unit(random)},
-                 (unit(random) - 0.4) * std::pow(10, -20 * unit(random)), 0.1 + 0.1 * unit(random));
+    blobs.append({unit(random), unit(random)}, unit(random) * std::pow(10, -20 * unit(random)),
+                 0.1 + 0.1 * unit(random));
   return blobs;
 }
 
+Table table(const Blobs& blobs) {
+  Table t;
+  for (auto* column : {&t.x, &t.y, &t.gamma, &t.square, &t.inverse_cube})
+    column->resize(blobs.size());
+  for (std::size_t i = 0; i < blobs.size(); ++i)
+    t.put(i, blobs.x[i], blobs.y[i], blobs.gamma[i], blobs.sigma[i] * blobs.sigma[i]);
+  return t;
+}
+
 const Merging merging{.tolerance = 0.5, .reach = 2, .sigma_max = 0.2};
+const Limits limits(merging);
+
+/// Error of merging blobs i and j as merge_close.hpp has it, in double.
+double plain_error(const Blobs& b, std::size_t i, std::size_t j) {
+  const Vec2 d = b.centre(i) - b.centre(j);
+  const double d2 = dot(d, d), s = std::min(b.sigma[i], b.sigma[j]);
+  const double si = b.sigma[i] * b.sigma[i], sj = b.sigma[j] * b.sigma[j];
+  const double w = b.gamma[i] / (b.gamma[i] + b.gamma[j]);
+  const double cost = w * b.gamma[j] * (d2 + std::abs(si - sj)) / (s * s * s);
+  const bool allowed = d2 <= 4 * s * s && cost <= merging.tolerance &&
+                       w * si + (1 - w) * sj + w * (1 - w) * d2 <= 0.04;
+  return allowed ? cost : INFINITY;
+}
+
+double least_error(const Blobs& b, std::size_t i) {
+  double least = INFINITY;
+  for (std::size_t j = 0; j < b.size(); ++j)
+    if (j != i) least = std::min(least, plain_error(b, i, j));
+  return least;
+}
 
 }  // namespace
 
 TEST_CASE("the error of a merger is the same in vectors and alone") {
-  const Blobs blobs = cloud(300);
-  const Candidates candidates(blobs);
+  const Blobs blobs = cloud(320);
+  const Table all = table(blobs);
   for (std::uint32_t i = 0; i < blobs.size(); i += 7)
     for (std::uint32_t j = 0; j < blobs.size(); j += Lanes::size()) {
-      const Lanes many = error<Lanes>(candidates, i, j, merging);
-      for (std::uint32_t k = 0; k < Lanes::size() && j + k < blobs.size(); ++k)
-        CHECK(many[k] ==
-              Approx(float{error<Lone>(candidates, i, j + k, merging)[0]}).epsilon(1e-5));
+      const Lanes many = error(all.lone<Lanes>(i), all.lanes<Lanes>(j), limits);
+      for (std::uint32_t k = 0; k < Lanes::size(); ++k)
+        CHECK(many[k] == Approx(float{error(all.lone<Lone>(i), all.lone<Lone>(j + k), limits)[0]})
+                             .epsilon(1e-5));
     }
 }
 
-TEST_CASE("the best partner is the one that a plain search in double finds") {
+TEST_CASE("those who seek together find the partners that a plain search in double finds") {
   const Blobs b = cloud(200);
-  const Candidates candidates(b);
+  const Table all = table(b);
   int found = 0;
-  for (std::uint32_t i = 0; i < b.size(); ++i) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::uint32_t j = 0; j < b.size(); ++j) {
-      const Vec2 d = b.centre(i) - b.centre(j);
-      const double d2 = dot(d, d), s = std::min(b.sigma[i], b.sigma[j]);
-      const double si = b.sigma[i] * b.sigma[i], sj = b.sigma[j] * b.sigma[j];
-      const double gi = b.gamma[i], gj = b.gamma[j], w = gi / (gi + gj);
-      const double cost = std::abs(w * gj) * (d2 + std::abs(si - sj)) / (s * s * s);
-      if (i == j || gi * gj <= 0 || d2 > 4 * s * s || cost > merging.tolerance) continue;
-      if (w * si + (1 - w) * sj + w * (1 - w) * d2 <= 0.04) least = std::min(least, cost);
+  for (std::uint32_t first = 0; first < b.size(); first += 11) {
+    Seekers<Lanes> seekers;
+    for (std::uint32_t i = first; i < std::min(b.size(), first + std::size_t{11}); ++i)
+      if (seekers.size() < Lanes::size()) seekers.add(all, i, i);
+    seekers.choose(all, [&](auto consider) {
+      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j, limits);
+    });
+    for (std::uint32_t k = 0; k < seekers.size(); ++k) {
+      const Choice choice = seekers.choice(k);
+      const double least = least_error(b, first + k);
+      REQUIRE((choice.partner == none) == std::isinf(least));
+      if (choice.partner == none) continue;
+      ++found;
+      CHECK(choice.error == Approx(least).epsilon(1e-4));
+      CHECK(plain_error(b, first + k, choice.partner) == Approx(least).epsilon(1e-4));
     }
-    Search<Lanes> search(candidates, i, merging);
-    search.run(0, 120);
-    search.run(120, candidates.size);
-    const Choice best = search.best();
-    REQUIRE((best.partner == none) == std::isinf(least));
-    if (best.partner == none) continue;
-    ++found;
-    CHECK(best.error == Approx(least).epsilon(1e-4));
   }
   CHECK(found > 50);
+}
+
+TEST_CASE("a window leaves no pair that may merge, and conserves what pairs conserve") {
+  Window window;
+  const Blobs before = cloud(640);
+  Parts parts = loosened(before, nullptr);
+  Blobs after;
+  for (std::uint32_t first = 0; first < before.size(); first += Window::most) {
+    std::array<std::uint32_t, Window::most> members;
+    std::iota(members.begin(), members.end(), first);
+    const std::size_t left = window.merge(members, parts.all, {}, limits);
+    REQUIRE(left < Window::most);
+    REQUIRE(std::is_sorted(members.begin(), members.begin() + left));
+    Blobs kept;
+    for (std::uint32_t i : std::span(members).first(left)) {
+      const Part& p = parts.all[i];
+      kept.append(p.centre(), p.gamma, std::sqrt(p.square));
+      after.append(p.centre(), p.gamma, std::sqrt(p.square));
+    }
+    for (std::size_t i = 0; i < left; ++i)
+      CHECK(least_error(kept, i) > merging.tolerance * (1 - 1e-5));
+  }
+  const Invariants was = invariants(before, nullptr), is = invariants(after, nullptr);
+  CHECK(is.circulation == Approx(was.circulation).epsilon(1e-14));
+  CHECK(is.second == Approx(was.second).epsilon(1e-14));
+}
+
+TEST_CASE("a merger beside the wall keeps the acting moment and spreads only across it") {
+  std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, false}, {{0, 0.3}, {0, 1}, false}};
+  Part p{0, 1, 1, 0.04, 0}, away{2, 1.4, 3, 0.08, 1}, q = away;
+  merge(p, q, at_wall);
+  CHECK(p.gamma == 4);
+  CHECK(p.x == Approx(1.5));
+  CHECK(p.y == Approx(1.3));
+  CHECK(p.y + at_wall[0].offset.y == Approx(0.25 * 1.1 + 0.75 * 1.7));
+  CHECK(p.square == Approx(0.25 * 0.04 + 0.75 * 0.08 + 2 * 0.1875 * 0.16));
+  CHECK(at_wall[0].moved);
 }
 
 }  // namespace vortree::vortex::merge_kernel

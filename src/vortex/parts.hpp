@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "vortex/acting.hpp"
+
+namespace vortree::vortex {
+
+/// A blob in the midst of splitting and merging: its centre, circulation, and sigma squared.
+///
+/// at_wall  number of what is known of it beside the wall, or no_wall
+struct Part {
+  double x, y, gamma, square;
+  std::uint32_t at_wall;
+
+  Vec2 centre() const { return {x, y}; }
+};
+
+inline constexpr std::uint32_t no_wall = ~0u;
+
+/// What a part beside a wall knows besides. Only its acting position, centre + offset, is held to;
+/// the centre serves to find partners until the core is put around the acting position at the end.
+///
+/// normal  of the wall, outward
+/// moved   the core is still to be put there
+struct AtWall {
+  Vec2 offset, normal;
+  bool moved;
+};
+
+/// The parts of a flow. Splitting and merging conserve sum gamma (centre + offset) exactly, without
+/// an inverse of the folded mean for each child and each merger: one for each blob that is left.
+struct Parts {
+  std::vector<Part> all;
+  std::vector<AtWall> at_wall;
+};
+
+/// How near the wall a blob's part knows of it [cores]: further than it acts at another place, for
+/// mergers there must not diffuse along the wall either.
+inline constexpr double knows_wall = 8;
+
+/// What a part with this core knows of the wall point nearest to its centre.
+AtWall beside(const WallPoint& nearest, double sigma);
+
+Parts loosened(const Blobs& blobs, const Shape* wall);
+Blobs settled(const Parts& parts, const Shape* wall);
+
+}  // namespace vortree::vortex
