@@ -10,6 +10,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "app/bench.hpp"
 #include "app/check.hpp"
 #include "app/places.hpp"
 #include "app/plot.hpp"
@@ -26,6 +27,8 @@ constexpr int done = 0, failed = 1, wrong_input = 2;
 struct Words {
   RunOptions run;
   VelocityJob velocity;
+  BenchJob bench;
+  std::string benched;
   std::string scene;
   std::vector<std::string> overrides;
   std::string folder;
@@ -120,6 +123,28 @@ void add_velocity(CLI::App& program, Words& words) {
   command.footer("example: vortree velocity wake.h5 --out uv.h5 --tolerance 1e-9 --verify");
 }
 
+void add_bench(CLI::App& program, Words& words) {
+  auto& command = *program.add_subcommand(
+      "bench", "measure speed and error of every method; writes a CSV file and figures");
+  command.add_option("WHAT", words.benched, "what to measure")
+      ->required()
+      ->check(CLI::IsMember({"velocity"}));
+  command
+      .add_option("--out", words.bench.out, "folder for the results; by default runs/bench_WHAT")
+      ->type_name("DIR");
+  command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes instead of twenty");
+  command
+      .add_option("--threads", words.bench.threads, "measured beside one thread; all by default")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  command
+      .add_option("--largest", words.bench.largest,
+                  "most vortices of a set; by default 4000000, quick 1000000")
+      ->check(CLI::Range(100, 100000000))
+      ->type_name("N");
+  command.footer("example: vortree bench velocity --quick --out quick");
+}
+
 void add_commands(CLI::App& program, Words& words) {
   program.set_version_flag("--version", "vortree " + version());
   program.require_subcommand(0, 1);
@@ -127,8 +152,9 @@ void add_commands(CLI::App& program, Words& words) {
   add_run(program, words);
   add_check(program, words);
   add_velocity(program, words);
-  program.add_subcommand("plot", "draw the figures of a finished run into its folder")
-      ->add_option("DIR", words.folder, "folder of a run")
+  add_bench(program, words);
+  program.add_subcommand("plot", "draw the figures of a run or a bench into its folder")
+      ->add_option("DIR", words.folder, "folder of a run or a bench")
       ->required();
 }
 
@@ -150,6 +176,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("cases")) fmt::print("{}", list_cases());
   if (program.got_subcommand("check")) fmt::print("{}", check(words.scene, words.overrides));
   if (program.got_subcommand("velocity")) fmt::print("{}\n", velocity(words.velocity).line());
+  if (program.got_subcommand("bench")) bench_velocity(words.bench);
   if (program.got_subcommand("plot")) plot(words.folder);
   return done;
 }

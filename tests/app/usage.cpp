@@ -63,6 +63,14 @@ TEST_CASE("wrong usage is answered with one line and exit code 2") {
       {"check", "SCENE"},
       {"check nowhere.toml", "nowhere.toml"},
       {"check .", "folder"},
+      {"bench", "WHAT"},
+      {"bench trees", "velocity"},
+      {"bench velocity --fast", "--fast"},
+      {"bench velocity --threads 0", "--threads"},
+      {"bench velocity --largest 1", "--largest"},
+      {"bench velocity --out wake.h5", "wake.h5"},
+      {"bench velocity --out wake.h5/below", "wake.h5"},
+      {"bench velocity --out /proc", "/proc"},
       {"plot nowhere", "nowhere"},
       {"cases please", "please"},
   }));
@@ -121,7 +129,7 @@ TEST_CASE("help and version go to standard output with exit code 0") {
   const auto version = call("--version", folder);
   CHECK(version.code == 0);
   CHECK(version.out.starts_with("vortree 0."));
-  for (const std::string command : {"", "run", "check", "cases", "velocity", "plot"}) {
+  for (const std::string command : {"", "run", "check", "cases", "velocity", "bench", "plot"}) {
     const auto help = call(command + " --help", folder);
     CAPTURE(command);
     CHECK(help.code == 0);

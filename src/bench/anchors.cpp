@@ -1,0 +1,93 @@
+#include "bench/anchors.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
+#include "fmm/lanes.hpp"
+#include "fmm/reals.hpp"
+
+namespace vortree::bench {
+namespace {
+
+using fmm::Lanes;
+
+double seconds_of(const auto& work) {
+  using Clock = std::chrono::steady_clock;
+  double best = 1e30;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    const auto begin = Clock::now();
+    work();
+    best = std::min(best, std::chrono::duration<double>(Clock::now() - begin).count());
+  }
+  return best;
+}
+
+// Values that the compiler can neither foresee nor drop.
+volatile double hidden_factor = 0.999999, hidden_term = 1e-6, sink;
+
+constexpr int rounds = 2'000'000;
+// Enough chains to hide the latency of each, few enough for the registers.
+#ifdef __AVX512F__
+constexpr int chains = 16;
+#else
+constexpr int chains = 6;
+#endif
+
+template <class Step>
+void run_chains(int times, const Step& step) {
+  Lanes value[chains];
+  for (int c = 0; c < chains; ++c) value[c] = fmm::fill(1.0 + c);
+  for (int time = 0; time < times; ++time) {
+#pragma GCC unroll 16
+    for (int c = 0; c < chains; ++c) value[c] = step(value[c]);
+  }
+  Lanes sum = {};
+  for (int c = 0; c < chains; ++c) sum += value[c];
+  sink = fmm::sum(sum);
+}
+
+constexpr int additions = rounds / 2, divisions = rounds / 16;
+
+void multiply_and_add() {
+  const Lanes factor = fmm::fill(hidden_factor), term = fmm::fill(hidden_term);
+  run_chains(additions, [=](Lanes value) { return value * factor + term; });
+}
+
+void divide() {
+  const Lanes divisor = fmm::fill(hidden_factor);
+  run_chains(divisions, [=](Lanes value) { return value / divisor; });
+}
+
+double triad_rate(int threads) {
+  const std::size_t n = std::size_t{16} << 20;  // three arrays of 128 MB
+  fmm::Reals a(n), b(n), c(n);
+  const auto work = [&] {
+#pragma omp parallel for simd num_threads(threads) schedule(static)
+    for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + 3.0 * c[i];
+  };
+  std::ranges::fill(b, 1.0);
+  std::ranges::fill(c, 2.0);
+  work();
+  return 3.0 * sizeof(double) * static_cast<double>(n) / seconds_of(work);
+}
+
+double rate(int threads, double operations, void (*work)()) {
+  const auto together = [&] {
+#pragma omp parallel num_threads(threads)
+    work();
+  };
+  together();
+  return threads * operations / seconds_of(together);
+}
+
+}  // namespace
+
+Anchors measure_anchors(int threads) {
+  constexpr double lanes = fmm::lane_count;
+  return {.fma = rate(threads, lanes * chains * additions, multiply_and_add),
+          .divisions = rate(threads, lanes * chains * divisions, divide),
+          .triad = triad_rate(threads)};
+}
+
+}  // namespace vortree::bench

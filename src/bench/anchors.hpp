@@ -1,0 +1,18 @@
+#pragma once
+
+namespace vortree::bench {
+
+/// What the machine can do at most, measured in some ten milliseconds each: what the speed of a
+/// method is held against.
+///
+/// fma        fused multiply-adds, 8 doubles at a time, all in registers [1/s]
+/// divisions  of doubles, 8 at a time [1/s]
+/// triad      bytes read and written by a = b + s c, from memory [1/s]
+struct Anchors {
+  double fma = 0.0, divisions = 0.0, triad = 0.0;
+};
+
+/// threads   working side by side; the rates are those of all together
+Anchors measure_anchors(int threads);
+
+}  // namespace vortree::bench

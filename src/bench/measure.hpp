@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bench/accuracy.hpp"
+#include "bench/methods.hpp"
+#include "bench/point_sets.hpp"
+
+namespace vortree::bench {
+
+/// What one method needed for one set.
+struct Measurement {
+  double seconds = 0.0;  // median of the repeats
+  double fastest = 0.0;
+  int repeats = 0;
+  double cpu = 0.0;  // processor seconds a second during the repeats
+  std::vector<std::pair<std::string, double>> phases;  // medians
+  std::size_t targets = 0;           // fewer than blobs: the times were scaled up from so many
+  std::optional<std::size_t> bytes;  // memory added by the first sum
+  VelocityError error;
+  Account account;
+};
+
+/// Measures for so long at least, and three sums at least.
+struct Patience {
+  double seconds = 0.5;
+  int most_repeats = 50;
+};
+
+/// Sums once to warm up, then again and again.
+///
+/// exact    of the same set, at its own points
+/// A method that is exact and would take more than some seconds sums at some targets only, those of
+/// `exact` among them.
+/// throws   what the method throws
+Measurement measure(const Method& method, const PointSet& set, const Exact& exact, double tolerance,
+                    const Patience& patience);
+
+}  // namespace vortree::bench

@@ -1,0 +1,32 @@
+#include <catch2/catch.hpp>
+
+#include "app/program.hpp"
+
+using namespace vortree::test;
+
+TEST_CASE("the velocity bench leaves a table with its origin, and figures") {
+  const TemporaryFolder folder;
+  const auto outcome =
+      call("bench velocity --quick --largest 300 --threads 1 --out new/results", folder);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(outcome.out.find("ringwake       300 boxes") != std::string::npos);
+  CHECK(fs::exists(folder / "new/results/velocity_n.png"));
+
+  folder.write("read.py", R"(
+import csv
+lines = open('new/results/velocity.csv').read().splitlines()
+notes = dict(line[2:].split(': ', 1) for line in lines if line.startswith('#'))
+rows = list(csv.DictReader(line for line in lines if not line.startswith('#')))
+print(all(notes[word] for word in ('machine', 'compiler', 'flags', 'commit', 'anchors')))
+print(sorted({row['set'] for row in rows}), sorted({row['n'] for row in rows}))
+methods = {name: {row['method'] for row in rows if row['set'] == name} for name in ('uniform', 'blobs')}
+print({'boxes', 'direct'} <= methods['uniform'] == methods['blobs'] - {'grid'})
+print(all(float(row['seconds']) > 0 and float(row['relative_l2']) <= float(row['tolerance'] or 1)
+          for row in rows))
+)");
+  const auto read = shell("/usr/bin/python3 read.py", folder);
+  CHECK(read.err == "");
+  CHECK(read.out == "True\n['blobs', 'hard', 'ringwake', 'uniform'] ['100', '300']\nTrue\nTrue\n");
+}
