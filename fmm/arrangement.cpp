@@ -4,17 +4,9 @@
 
 #include "tree/build_forward.hpp"
 #include "tree/build_reverse.hpp"
-#include "tree/split_rule.hpp"
 
 namespace vortree::fmm {
 namespace {
-
-tree::Quadtree build(tree::Points points, const Growth& growth) {
-  tree::MortonOrder order = tree::morton_order(points, tree::enclose(points), growth.finest_level);
-  const tree::SplitRule rule = tree::crowded(growth.capacity);
-  return growth.builder == Builder::reverse ? tree::build_reverse(std::move(order), rule)
-                                            : tree::build_forward(std::move(order), rule);
-}
 
 /// to[j] = scaled(from[order[j]]), asking memory for what comes some steps later.
 template <class Scale>
@@ -32,10 +24,19 @@ Reals gather(std::span<const std::uint32_t> order, std::span<const double> from,
 
 }  // namespace
 
+tree::Quadtree build(tree::MortonOrder order, const tree::SplitRule& rule, Builder builder) {
+  return builder == Builder::reverse ? tree::build_reverse(std::move(order), rule)
+                                     : tree::build_forward(std::move(order), rule);
+}
+
 Arrangement arrange(const Targets& points, const Units& units, const Growth& growth) {
   const auto position = [units](double x) { return units.position(x); };
   const auto core = [units](double sigma) { return units.squared_core(sigma); };
-  Arrangement made{build({points.x, points.y}, growth), {}, {}};
+  const tree::Points places{points.x, points.y};
+  Arrangement made{build(tree::morton_order(places, tree::enclose(places), growth.finest_level),
+                         tree::crowded(growth.capacity), growth.builder),
+                   {},
+                   {}};
   const auto order = made.tree.order();
   made.points = {
       gather(order, points.x, position), gather(order, points.y, position),

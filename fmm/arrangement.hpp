@@ -8,11 +8,15 @@
 #include "fmm/reals.hpp"
 #include "fmm/units.hpp"
 #include "tree/quadtree.hpp"
+#include "tree/split_rule.hpp"
 
 namespace vortree::fmm {
 
 /// Which walk builds the tree; both build the same.
 enum class Builder { reverse, forward };
+
+[[nodiscard]] tree::Quadtree build(tree::MortonOrder order, const tree::SplitRule& rule,
+                                   Builder builder);
 
 /// Points put in order for a sum: their tree, their values in its order and in Units, and the
 /// shapes of its cells.

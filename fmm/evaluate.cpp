@@ -106,18 +106,10 @@ void evaluate_with(const Sources& sources, const Arrangement& targets, const Acc
 void evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
               bool coarse, std::span<double> u, std::span<double> v) {
   if (acceptance.reach2 == 0.0) {
-    evaluate_with<BarePair>(sources, targets, acceptance, coarse, u, v);
-  } else if (acceptance.cores == Cores::mean) {
-    if (coarse) {
-      evaluate_with<MeanCorePair<CoarseExp>>(sources, targets, acceptance, coarse, u, v);
-    } else {
-      evaluate_with<MeanCorePair<FineExp>>(sources, targets, acceptance, coarse, u, v);
-    }
-  } else if (coarse) {
-    evaluate_with<SourceCorePair<CoarseExp>>(sources, targets, acceptance, coarse, u, v);
-  } else {
-    evaluate_with<SourceCorePair<FineExp>>(sources, targets, acceptance, coarse, u, v);
+    return evaluate_with<BarePair>(sources, targets, acceptance, coarse, u, v);
   }
+  with_pair(acceptance.cores, coarse,
+            [&]<class Pair>() { evaluate_with<Pair>(sources, targets, acceptance, coarse, u, v); });
 }
 
 Work count_work(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance) {

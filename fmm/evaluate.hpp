@@ -4,6 +4,7 @@
 #include <span>
 
 #include "fmm/arrangement.hpp"
+#include "fmm/evaluator.hpp"
 #include "fmm/interactions.hpp"
 #include "fmm/multipoles.hpp"
 
@@ -14,16 +15,6 @@ struct Sources {
   const Arrangement& at;
   const Multipoles& multipoles;
   std::span<const double> gamma;
-};
-
-/// How much an evaluation computes.
-///
-/// series   cells met by their series, once for each target leaf or block of leaves
-/// terms    terms of them, once for each target
-/// bare     pairs of target and source summed without core
-/// cored    pairs summed with core
-struct Work {
-  std::uint64_t series = 0, terms = 0, bare = 0, cored = 0;
 };
 
 /// Box-to-point evaluation, sums without the factor 1/(2 pi): series of far cells straight to the

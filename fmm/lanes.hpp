@@ -36,6 +36,9 @@ inline Singles load(const float* from) {
 inline void store(double* to, Lanes a) {
   std::memcpy(to, &a, sizeof a);
 }
+inline void store(float* to, Singles a) {
+  std::memcpy(to, &a, sizeof a);
+}
 
 inline Lanes fill(double value) {
   return value - Lanes{};

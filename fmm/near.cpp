@@ -29,7 +29,8 @@ void NearSources::part(const SortedPoints& points, std::span<const double> gamma
   const double own = acceptance.cores == Cores::source ? 1.0 : 0.5;
   const double reach2 = own * acceptance.reach2;
   const double others = acceptance.squared_reach(0.0, leaf.core);
-  const double *all_x = points.x.data(), *all_y = points.y.data(), *all_core = points.core.data();
+  const double *all_x = points.x.data(), *all_y = points.y.data(),
+               *all_core = points.core.data();  // none: bare
   const TargetBox box = leaf;
   Packed::Writer hidden(hidden_), cored(cored_);
   Lanes most = fill(std::max(box.half_x, box.half_y)), least = fill(Units::largest_core);
@@ -38,7 +39,7 @@ void NearSources::part(const SortedPoints& points, std::span<const double> gamma
     for (std::uint32_t j = run.first; j < run.last; j += lane_count) {
       const LaneSet some = first_lanes(run.last - j);
       const Lanes x = load(all_x + j, some, box.x), y = load(all_y + j, some, box.y);
-      const Lanes core = load(all_core + j, some, all_core[j]);
+      const Lanes core = points.core.empty() ? Lanes{} : load(all_core + j, some, all_core[j]);
       const Lanes strength = load(gamma.data() + j, some);
       const Lanes from_x = magnitude(x - box.x), from_y = magnitude(y - box.y);
       const Lanes dx = larger(from_x - box.half_x, Lanes{});

@@ -63,4 +63,15 @@ class NearSources {
   double least_core_ = 0.0, widest_core_ = 0.0;
 };
 
+/// `use<Pair>()` with what sums pairs with cores.
+template <class Use>
+void with_pair(Cores cores, bool coarse, Use use) {
+  if (cores == Cores::mean) {
+    if (coarse) return use.template operator()<MeanCorePair<CoarseExp>>();
+    return use.template operator()<MeanCorePair<FineExp>>();
+  }
+  if (coarse) return use.template operator()<SourceCorePair<CoarseExp>>();
+  use.template operator()<SourceCorePair<FineExp>>();
+}
+
 }  // namespace vortree::fmm

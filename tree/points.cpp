@@ -34,7 +34,7 @@ kernel::Extent extent(char axis, std::span<const double> values) {
 }
 
 // The next number of 20 significant bits above width, never nearer than 2^-20 of it.
-double enlarge(double width) {
+double round_up(double width) {
   int exponent;
   const double significand = std::frexp(width, &exponent);
   return std::ldexp(std::floor(std::ldexp(significand, 20)) + 2, exponent - 20);
@@ -61,7 +61,15 @@ Domain enclose(Points points) {
     return {};
   }
   const double width = std::max(x.high - x.low, y.high - y.low);
-  return {x.low, y.low, enlarge(std::max({width, std::ldexp(farthest, -21), 0x1p-900}))};
+  return {x.low, y.low, round_up(std::max({width, std::ldexp(farthest, -21), 0x1p-900}))};
+}
+
+Domain enlarge(const Domain& domain, double factor) {
+  if (!(factor >= 1.0 && std::isfinite(domain.side * factor))) {
+    throw std::invalid_argument("enlarge: factor is " + std::to_string(factor) +
+                                "; it must be >= 1 and leave the side finite");
+  }
+  return {domain.x0, domain.y0, round_up(domain.side * factor)};
 }
 
 }  // namespace vortree::tree

@@ -14,7 +14,7 @@ vortex::Vec2 vec(const io::Vec2& a) {
 std::unique_ptr<vortex::Velocity> velocity_of(const io::SceneVelocity& v) {
   const fmm::Cores cores = v.cores == io::PairCores::mean ? fmm::Cores::mean : fmm::Cores::source;
   if (v.method == io::VelocityMethod::direct) return vortex::velocity_by_direct_sum(cores);
-  return vortex::velocity_by_boxes({
+  return vortex::velocity_by_plan({
       .tolerance = v.tolerance,
       .order = v.order,
       .capacity = static_cast<std::uint32_t>(v.capacity),
@@ -22,6 +22,8 @@ std::unique_ptr<vortex::Velocity> velocity_of(const io::SceneVelocity& v) {
       .builder =
           v.builder == io::TreeBuilder::reverse ? fmm::Builder::reverse : fmm::Builder::forward,
       .cores = cores,
+      .method =
+          v.method == io::VelocityMethod::fmm ? fmm::Method::fmm : fmm::Method::boxes,
   });
 }
 

@@ -18,7 +18,7 @@ using Vec2 = std::array<double, 2>;
 enum class Shape { circle };
 enum class InitialKind { lamb_oseen };
 enum class TimeScheme { rk2, rk4 };
-enum class VelocityMethod { boxes, direct };
+enum class VelocityMethod { fmm, boxes, direct };
 enum class TreeBuilder { reverse, forward };
 enum class PairCores { mean, source };
 enum class ExactAnswer { lamb_oseen };
@@ -82,7 +82,7 @@ struct SceneTime {
 
 /// order 0: from the tolerance. capacity 0: chosen by the evaluator.
 struct SceneVelocity {
-  VelocityMethod method = VelocityMethod::boxes;
+  VelocityMethod method = VelocityMethod::fmm;
   double tolerance = 1e-6;
   int order = 0;
   int capacity = 0;

@@ -48,7 +48,8 @@ inline constexpr std::array<std::string_view, 1> words_of<InitialKind>{"lamb_ose
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<TimeScheme>{"rk2", "rk4"};
 template <>
-inline constexpr std::array<std::string_view, 2> words_of<VelocityMethod>{"boxes", "direct"};
+inline constexpr std::array<std::string_view, 3> words_of<VelocityMethod>{"fmm", "boxes",
+                                                                          "direct"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<TreeBuilder>{"reverse", "forward"};
 template <>

@@ -5,9 +5,9 @@
 namespace vortree::vortex {
 namespace {
 
-class Boxes final : public Velocity {
+class Planned final : public Velocity {
  public:
-  explicit Boxes(const fmm::Options& options) : options_(options) {}
+  explicit Planned(const fmm::Options& options) : options_(options) {}
 
   void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets, Velocities& upon_blobs,
                        Velocities& upon_targets) const override {
@@ -47,8 +47,8 @@ class DirectSum final : public Velocity {
 
 }  // namespace
 
-std::unique_ptr<Velocity> velocity_by_boxes(const fmm::Options& options) {
-  return std::make_unique<Boxes>(options);
+std::unique_ptr<Velocity> velocity_by_plan(const fmm::Options& options) {
+  return std::make_unique<Planned>(options);
 }
 
 std::unique_ptr<Velocity> velocity_by_direct_sum(fmm::Cores cores) {

@@ -28,7 +28,7 @@ class Velocity {
   virtual void upon(const fmm::Blobs& sources, tree::Points targets, Velocities& u) const = 0;
 };
 
-std::unique_ptr<Velocity> velocity_by_boxes(const fmm::Options& options);
+std::unique_ptr<Velocity> velocity_by_plan(const fmm::Options& options);
 std::unique_ptr<Velocity> velocity_by_direct_sum(fmm::Cores cores);
 
 }  // namespace vortree::vortex

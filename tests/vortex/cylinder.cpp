@@ -67,7 +67,7 @@ const Run& by_direct_sum() {
 
 const Run& by_boxes() {
   static const Run run = impulsive_start(
-      cylinder_wall(), *vortex::velocity_by_boxes({.tolerance = 1e-6, .cores = fmm::Cores::mean}));
+      cylinder_wall(), *vortex::velocity_by_plan({.tolerance = 1e-6, .cores = fmm::Cores::mean}));
   return run;
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("no blob's centre enters the cylinder") {
 
 TEST_CASE("a whole run past a cylinder is the same bits for any number of threads") {
   const vortex::Wall wall = cylinder_wall();
-  const auto velocity = vortex::velocity_by_boxes({.cores = fmm::Cores::mean});
+  const auto velocity = vortex::velocity_by_plan({.cores = fmm::Cores::mean});
   const auto run = [&] { return impulsive_start(wall, *velocity, 5).blobs; };
   const Blobs once = test::with_threads(1, run);
   CHECK(once == test::with_threads(2, run));

@@ -131,7 +131,7 @@ TEST_CASE("without viscosity nothing diffuses, splits or merges") {
 }
 
 TEST_CASE("direct sum and boxes of a tolerance of 1e-9 give the same step") {
-  const auto boxes = vortex::velocity_by_boxes({.tolerance = 1e-9, .cores = fmm::Cores::mean});
+  const auto boxes = vortex::velocity_by_plan({.tolerance = 1e-9, .cores = fmm::Cores::mean});
   Problem problem = free_vortex(1, 0);
   const Blobs start = test::cloud(1000, 0.02, 0.04);
   const Blobs by_direct = after(start, problem, 1);

@@ -174,7 +174,7 @@ TEST_CASE("the velocity of a sheet is added to what was there, and the same by b
   vortex::Velocities direct(4), boxes(4);
   for (auto* u : {&direct, &boxes}) u->u = {5, 6, 7, 8};
   wall.add_velocity(sheet, *vortex::velocity_by_direct_sum(fmm::Cores::source), {x, y}, direct);
-  wall.add_velocity(sheet, *vortex::velocity_by_boxes({.tolerance = 1e-10}), {x, y}, boxes);
+  wall.add_velocity(sheet, *vortex::velocity_by_plan({.tolerance = 1e-10}), {x, y}, boxes);
   for (std::size_t k = 0; k < 4; ++k) {
     const auto alone = velocity(wall, sheet, {{x[k], y[k]}});
     CHECK(direct.u[k] == Approx(5 + k + alone[0].real()).epsilon(1e-14));

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "fmm/arrangement.hpp"
+#include "fmm/evaluate.hpp"
+#include "fmm/evaluator.hpp"
+#include "fmm/options.hpp"
+#include "fmm/reals.hpp"
+#include "fmm/units.hpp"
+
+namespace vortree::fmm {
+
+/// Laurent series of far cells straight to the targets, near blobs one by one. Cells are shrunk to
+/// the points they hold, every pair of cells takes the terms that its ratio needs.
+///
+/// cost     O(n log n) time and 16 order bytes a cell
+/// source   Huang, Huang, Xu & Hu, Thermal Science 16 (2012), box-to-point
+class Boxes final : public Evaluator {
+ public:
+  /// phase   told "tree", "upward", and "evaluate" at each sum
+  Boxes(const Blobs& blobs, const Options& options, const Phase& phase);
+
+  void velocity(std::span<double> u, std::span<double> v) const override;
+  void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const override;
+  void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const override;
+
+  [[nodiscard]] int order() const override { return order_.most(); }
+  [[nodiscard]] const tree::Quadtree& tree() const override { return blobs_.tree; }
+  [[nodiscard]] Work work() const override;
+  [[nodiscard]] std::size_t bytes() const override;
+
+ private:
+  [[nodiscard]] Acceptance acceptance(bool cored) const;
+  void evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
+                   std::span<double> v) const;
+
+  Options options_;
+  Phase phase_;
+  Units units_;
+  Order order_;
+  Arrangement blobs_;
+  Reals gamma_;
+  Multipoles multipoles_;
+};
+
+}  // namespace vortree::fmm

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "fmm/blobs.hpp"
+#include "tree/quadtree.hpp"
+
+namespace vortree::fmm {
+
+/// How much the sums of all blobs upon all blobs compute.
+///
+/// series   cells met by their series, once for each target leaf, block of leaves or cell
+/// terms    terms of them, once for each target (box-to-point)
+/// bare     pairs of target and source summed without core
+/// cored    pairs summed with core
+struct Work {
+  std::uint64_t series = 0, terms = 0, bare = 0, cored = 0;
+};
+
+/// A way to sum, made for a set of blobs; what Plan hides. Velocities are in the user's units.
+class Evaluator {
+ public:
+  virtual ~Evaluator() = default;
+  virtual void velocity(std::span<double> u, std::span<double> v) const = 0;
+  virtual void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const = 0;
+  virtual void velocity_bare(tree::Points targets, std::span<double> u,
+                             std::span<double> v) const = 0;
+  [[nodiscard]] virtual int order() const = 0;
+  [[nodiscard]] virtual const tree::Quadtree& tree() const = 0;
+  [[nodiscard]] virtual Work work() const = 0;
+  [[nodiscard]] virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace vortree::fmm

@@ -1,0 +1,263 @@
+#include "fmm/full.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "tree/split_rule.hpp"
+
+namespace vortree::fmm {
+namespace {
+
+/// Points of a childless cell that near sums and series agree on; the optimum is flat.
+constexpr double even_leaf = 24, even_leaf_fine = 32;
+constexpr double fine_tolerance = 1e-10;
+
+/// From here on series in single precision are exact enough.
+constexpr double coarse_tolerance = 1e-6;
+
+/// Cells of so few points meet cells apart from them point by point rather than by P2L and M2P.
+constexpr std::uint32_t few = 12;
+
+/// Up to so many near sources a target, cores may refuse series.
+constexpr double most_near = 4000;
+
+double leaf_size(const Options& options) {
+  return options.tolerance < fine_tolerance ? even_leaf_fine : even_leaf;
+}
+
+Options resolve(Options options) {
+  if (options.capacity == 0) options.capacity = static_cast<std::uint32_t>(2 * leaf_size(options));
+  options.tolerance = std::max(options.tolerance, least_tolerance);
+  return options;
+}
+
+bool coarse(const Options& options) {
+  return options.order == 0 && options.tolerance >= coarse_tolerance;
+}
+
+LatticeOrder choose_order(const Options& options) {
+  return options.order > 0 ? LatticeOrder::fixed(options.order)
+                           : LatticeOrder::for_tolerance(options.tolerance);
+}
+
+/// The factor in [1, 2) that makes the cells of some level as wide as `wished`.
+double stretch(double side, double wished) {
+  const double ratio = side / wished;
+  if (!(ratio > 1.0) || !std::isfinite(ratio)) return 1.0;
+  return std::exp2(std::ceil(std::log2(ratio))) / ratio;
+}
+
+void tell(const Phase& phase, const char* name) {
+  if (phase) phase(name);
+}
+
+}  // namespace
+
+/// What a thread needs, kept from slab to slab.
+struct Full::Scratch {
+  MutualNear mutual;
+  NearSources near;
+  Interactions found;
+};
+
+Full::Full(const Blobs& blobs, const Options& options, const Phase& phase)
+    : options_(resolve(options)),
+      phase_(phase),
+      units_(Units::of(blobs)),
+      order_(choose_order(options_)) {
+  tell(phase_, "tree");
+  grow(blobs);
+  list();
+  if (!serves_) return;
+  slabs_ = Slabs(leaves_);
+  tell(phase_, "upward");
+  const auto make = [&]<class Number>(Number) {
+    FarField<Number> far(stage(), TranslationTables<Number>(order_.most, order_.terms));
+    tell(phase_, "far");
+    far.descend(stage());
+    far_ = std::move(far);
+  };
+  coarse(options_) ? make(float{}) : make(double{});
+}
+
+/// The domain is stretched so that evenly spread points fill childless cells to the optimum, or, if
+/// cores reach farther than such a cell, so that cells of a level just hold that reach.
+void Full::grow(const Blobs& blobs) {
+  tree::Domain domain = tree::enclose({blobs.x, blobs.y});
+  double widest = 0.0;
+  for (const double sigma : blobs.sigma) widest = std::max(widest, sigma);
+  const double reach = widest * std::sqrt(std::log(1.0 / options_.tolerance)) * (1 + 1e-9);
+  const double even =
+      domain.side * std::sqrt(leaf_size(options_) / std::max<double>(1.0, blobs.size()));
+  domain = tree::enlarge(domain, stretch(domain.side, std::max(even, reach)));
+  tree::MortonOrder order = tree::morton_order({blobs.x, blobs.y}, domain, options_.finest_level);
+  base_ = build(std::move(order), tree::crowded(options_.capacity), options_.builder);
+  tree_ = DeepTree(base_, {blobs.x, blobs.y}, units_, options_.capacity, options_.builder,
+                   options_.finest_level == tree::max_level);
+  leaves_ = Leaves(tree_, blobs, units_);
+}
+
+void Full::list() {
+  const auto cells = tree_.cells();
+  if (!leaves_.cored()) {
+    lists_ = Lists(tree_, few, {});
+    return;
+  }
+  core_.resize(cells.size());
+  const auto childless = tree_.childless();
+  for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
+    const auto first = leaves_.points.core.begin() + leaves_.start[leaf];
+    core_[childless[leaf]] = *std::max_element(first, first + leaves_.size[leaf]);
+  }
+  for (std::size_t c = cells.size(); c-- > 1;) {
+    double& parent = core_[cells[c].parent];
+    parent = std::max(parent, core_[c]);
+  }
+  const double reach2 = std::log(1.0 / options_.tolerance);
+  lists_ = Lists(tree_, few, [&](std::uint32_t a, std::uint32_t b, double gap) {
+    return reach2 * std::max(core_[a], core_[b]) <= gap * gap;
+  });
+  serves_ = near_pairs() <= most_near * static_cast<double>(leaves_.places());
+}
+
+double Full::near_pairs() const {
+  double pairs = 0.0;
+  std::vector<tree::Range> runs;
+  for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
+    near_runs(leaf, runs);
+    for (const tree::Range run : runs)
+      pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
+  }
+  return pairs;
+}
+
+Acceptance Full::acceptance(bool cored) const {
+  return {.order = Order::fixed(order_.most),
+          .reach2 = cored ? std::log(1.0 / options_.tolerance) : 0.0,
+          .cores = options_.cores};
+}
+
+/// The places of all points that the points of a childless cell meet one by one, its own among
+/// them.
+void Full::near_runs(std::uint32_t leaf, std::vector<tree::Range>& runs) const {
+  runs.clear();
+  const auto cells = tree_.cells();
+  const std::uint32_t own = tree_.childless()[leaf];
+  const auto add = [&](std::uint32_t c) { runs.push_back(leaves_.places(lists_.leaves(c))); };
+  if (lists_.neighbors(own)[Lists::middle] != nobody && !leaves_.in_one_place(leaf)) add(own);
+  lists_.for_each_ahead(own, add);
+  lists_.for_each_behind(own, add);
+  for (auto c = static_cast<std::int32_t>(own); c != nobody; c = cells[c].parent) {
+    for (const std::uint32_t q : lists_.refused(static_cast<std::uint32_t>(c))) add(q);
+  }
+  std::ranges::sort(runs, {}, &tree::Range::first);
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    if (runs[k].first == runs[last].last) {
+      runs[last].last = runs[k].last;
+    } else {
+      runs[++last] = runs[k];
+    }
+  }
+  if (!runs.empty()) runs.resize(last + 1);
+}
+
+void Full::add_far(tree::Range slab, double* u, double* v) const {
+  std::visit(
+      [&](const auto& far) {
+        for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+          const std::uint32_t first = leaves_.start[leaf];
+          const NearTargets at{
+              &leaves_.points.x[first], &leaves_.points.y[first], nullptr, u + first, v + first,
+              leaves_.size[leaf]};
+          far.l2p(stage(), tree_.childless()[leaf], at);
+          for (const std::uint32_t c : lists_.w(leaf)) far.m2p(stage(), c, at);
+        }
+      },
+      far_);
+}
+
+void Full::add_cored(tree::Range slab, Scratch& scratch, double* u, double* v) const {
+  const Acceptance accepted = acceptance(true);
+  with_pair(options_.cores, coarse(options_), [&]<class Pair>() {
+    for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+      const std::uint32_t first = leaves_.start[leaf];
+      const NearTargets targets{&leaves_.points.x[first],
+                                &leaves_.points.y[first],
+                                &leaves_.points.core[first],
+                                u + first,
+                                v + first,
+                                leaves_.size[leaf]};
+      const TargetBox box = around(targets);
+      scratch.found.clear();
+      near_runs(leaf, scratch.found.cored);
+      scratch.near.pack(leaves_.points, leaves_.gamma, box, accepted, scratch.found);
+      scratch.near.sum<Pair>(box, targets, coarse(options_));
+    }
+  });
+}
+
+void Full::velocity(std::span<double> u, std::span<double> v) const {
+  tell(phase_, "near");
+  Reals all_u(leaves_.places()), all_v(leaves_.places());
+  const auto cells = tree_.cells();
+  const auto order = tree_.order();
+#pragma omp parallel
+  {
+    Scratch scratch;
+#pragma omp for schedule(dynamic)
+    for (std::size_t s = 0; s < slabs_.size(); ++s) {
+      const tree::Range slab = slabs_[s], places = leaves_.places(slab);
+      const std::span<double> slab_u(&all_u[places.first], places.size());
+      const std::span<double> slab_v(&all_v[places.first], places.size());
+      std::ranges::fill(slab_u, 0.0);
+      std::ranges::fill(slab_v, 0.0);
+      if (leaves_.cored()) {
+        add_cored(slab, scratch, all_u.data(), all_v.data());
+      } else {
+        scratch.mutual.add(tree_, lists_, leaves_, slab, all_u.data(), all_v.data());
+      }
+      add_far(slab, all_u.data(), all_v.data());
+      units_.to_velocity(slab_u);
+      units_.to_velocity(slab_v);
+      for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+        const tree::Range points = cells[tree_.childless()[leaf]].points;
+        const std::uint32_t first = leaves_.start[leaf] - points.first;
+        for (std::uint32_t j = points.first; j < points.last; ++j) {
+          u[order[j]] = all_u[first + j];
+          v[order[j]] = all_v[first + j];
+        }
+      }
+    }
+  }
+}
+
+Work Full::work() const {
+  Work work;
+  std::vector<tree::Range> runs;
+  for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
+    near_runs(leaf, runs);
+    std::uint64_t near = 0;
+    for (const tree::Range run : runs) {
+      // pads do not count
+      const auto first = std::ranges::lower_bound(leaves_.start, run.first);
+      for (auto k = first - leaves_.start.begin(); leaves_.start[k] < run.last; ++k) {
+        near += leaves_.size[k];
+      }
+    }
+    (leaves_.cored() ? work.cored : work.bare) += near * leaves_.size[leaf];
+    work.series += lists_.w(leaf).size();
+  }
+  return work;
+}
+
+std::size_t Full::bytes() const {
+  const std::size_t per_point = sizeof(tree::Key) + sizeof(std::uint32_t);
+  return per_point * base_.order().size() + base_.cells().size_bytes() + tree_.bytes() +
+         leaves_.bytes() + lists_.bytes() +
+         std::visit([](const auto& far) { return far.bytes(); }, far_);
+}
+
+}  // namespace vortree::fmm

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "fmm/deep_tree.hpp"
+#include "fmm/evaluator.hpp"
+#include "fmm/far_field.hpp"
+#include "fmm/lattice_order.hpp"
+#include "fmm/leaves.hpp"
+#include "fmm/lists.hpp"
+#include "fmm/near.hpp"
+#include "fmm/options.hpp"
+#include "fmm/slabs.hpp"
+#include "fmm/units.hpp"
+
+namespace vortree::fmm {
+
+/// The bounding box of some targets, at least one, and their widest core.
+[[nodiscard]] TargetBox around(const NearTargets& targets);
+
+/// The adaptive fast multipole method on the quadtree: multipoles upward, V and X into local
+/// expansions downward, W and near sums at the points.
+///
+/// cost     O(n) time
+/// source   Carrier, Greengard & Rokhlin, SIAM J. Sci. Stat. Comput. 9 (1988)
+class Full final : public Evaluator {
+ public:
+  /// phase   told "tree", "upward", "far", and "near" at each sum
+  Full(const Blobs& blobs, const Options& options, const Phase& phase);
+
+  /// False if so many cells refuse to meet by series, because of cores, that their points had
+  /// better be guarded one by one. Then there are no sums.
+  [[nodiscard]] bool serves() const { return serves_; }
+
+  void velocity(std::span<double> u, std::span<double> v) const override;
+  void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const override;
+  void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const override;
+
+  [[nodiscard]] int order() const override { return order_.most; }
+  [[nodiscard]] const tree::Quadtree& tree() const override { return base_; }
+  [[nodiscard]] Work work() const override;
+  [[nodiscard]] std::size_t bytes() const override;
+
+ private:
+  struct Scratch;
+  struct Elsewhere;
+  using Far = std::variant<FarField<double>, FarField<float>>;
+
+  void grow(const Blobs& blobs);
+  void list();
+  [[nodiscard]] double near_pairs() const;
+  [[nodiscard]] Stage stage() const { return {tree_, lists_, leaves_}; }
+  [[nodiscard]] Acceptance acceptance(bool cored) const;
+  void near_runs(std::uint32_t leaf, std::vector<tree::Range>& runs) const;
+  void add_far(tree::Range slab, double* u, double* v) const;
+  void add_cored(tree::Range slab, Scratch& scratch, double* u, double* v) const;
+  void evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
+                          std::span<double> v) const;
+  void sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const;
+  [[nodiscard]] std::uint32_t holder(double x, double y) const;
+  void find_sources(std::uint32_t cell, const TargetBox& box, const Acceptance& accepted,
+                    Elsewhere& found) const;
+
+  Options options_;
+  Phase phase_;
+  Units units_;
+  LatticeOrder order_;
+  tree::Quadtree base_;
+  DeepTree tree_;
+  Leaves leaves_;
+  std::vector<double> core_;  // of each cell, the largest squared core inside; empty if bare
+  Lists lists_;
+  Slabs slabs_;
+  Far far_;
+  bool serves_ = true;
+};
+
+}  // namespace vortree::fmm

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fmm/blobs.hpp"
+#include "fmm/cells.hpp"
+#include "fmm/deep_tree.hpp"
+#include "fmm/reals.hpp"
+#include "fmm/units.hpp"
+
+namespace vortree::fmm {
+
+/// The points of the childless cells in whole vectors: those of a cell begin at a multiple of
+/// lane_count and are filled up with copies of the last one without circulation. In Units.
+///
+/// start   of every childless cell by rank, and the end of all
+struct Leaves {
+  SortedPoints points;  // core is empty if all are bare
+  Reals gamma;
+  std::vector<std::uint32_t> start, size;
+
+  Leaves() = default;
+  Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units);
+
+  [[nodiscard]] bool cored() const { return !points.core.empty(); }
+  [[nodiscard]] std::size_t count() const { return size.size(); }
+  [[nodiscard]] std::size_t places() const { return start.empty() ? 0 : start.back(); }
+  /// True for a crowd of points that do nothing to each other. Small cells are not looked at.
+  [[nodiscard]] bool in_one_place(std::uint32_t leaf) const;
+
+  /// The places of some childless cells, by rank.
+  [[nodiscard]] tree::Range places(tree::Range leaves) const {
+    return {start[leaves.first], start[leaves.last]};
+  }
+  [[nodiscard]] std::size_t bytes() const {
+    return sizeof(double) * (gamma.capacity() * 3 + points.core.capacity()) +
+           sizeof(std::uint32_t) * (start.capacity() + size.capacity());
+  }
+};
+
+}  // namespace vortree::fmm

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+#include "fmm/arrangement.hpp"
+#include "fmm/blobs.hpp"
+#include "tree/quadtree.hpp"
+
+namespace vortree::fmm {
+
+/// fmm     multipoles and local expansions: O(n)
+/// boxes   multipoles straight to the targets: O(n log n); every source's core is guarded by itself
+enum class Method { fmm, boxes };
+
+/// tolerance      what the user is promised (Plan), in (0, 1)
+/// order          terms of a series, 1 .. 200; 0: chosen by tolerance for every distance of cells.
+///                A fixed order keeps no promise; cells then meet one cell apart
+/// capacity       points of a childless cell at most; 0: chosen
+/// finest_level   no cell lies below; 0 .. 31
+struct Options {
+  double tolerance = 1e-6;
+  int order = 0;
+  std::uint32_t capacity = 0;
+  int finest_level = tree::max_level;
+  Builder builder = Builder::reverse;
+  Cores cores = Cores::source;
+  Method method = Method::fmm;
+};
+
+/// Told the name of a part of the work as it begins, for whoever keeps the time.
+using Phase = std::function<void(std::string_view)>;
+
+/// Nothing is gained by asking for less.
+inline constexpr double least_tolerance = 1e-16;
+
+}  // namespace vortree::fmm
