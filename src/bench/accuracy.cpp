@@ -6,35 +6,79 @@
 #include <numeric>
 #include <random>
 
+#include "bench/exact_kernel.hpp"
+
 namespace vortree::bench {
 namespace {
 
-struct Sum {
-  long double u = 0, v = 0;
-  double contributions = 0;
+using fmm::Lanes;
+
+// Past this an exponential is below the last bit of a long double.
+constexpr double core_fades = 50.0;
+
+// Eight sources after eight; the last ones are filled up with some of no strength.
+struct Packed {
+  std::vector<double> x, y, gamma;
+  double largest_core = 0.0;  // squared
+
+  explicit Packed(const fmm::Blobs& blobs)
+      : x(blobs.x.begin(), blobs.x.end()),
+        y(blobs.y.begin(), blobs.y.end()),
+        gamma(blobs.gamma.begin(), blobs.gamma.end()) {
+    for (const double sigma : blobs.sigma) largest_core = std::max(largest_core, sigma * sigma);
+    const std::size_t room = (blobs.size() + 7) / 8 * 8;
+    for (auto* column : {&x, &y, &gamma}) column->resize(room, 0.0);
+  }
 };
 
-// 1 - exp(-q); past 50 the exponential is below the last bit of a long double.
-long double core(long double q) {
-  return q < 50 ? -std::expm1(-q) : 1.0L;
+// Multiplies the weights of the lanes where a core shows by 1 - exp(-r^2/sigma^2).
+Twice with_cores(const Twice& weight, const Twice& r2, const double* sigma, std::size_t lanes) {
+  Twice core{fmm::fill(1.0), fmm::fill(0.0)};
+  for (std::size_t i = 0; i < lanes; ++i) {
+    const long double squared = static_cast<long double>(sigma[i]) * sigma[i];
+    const long double r = static_cast<long double>(r2.high[i]) + r2.low[i];
+    if (squared == 0 || r > core_fades * squared) continue;
+    const long double value = -std::expm1(-r / squared);
+    core.high[i] = static_cast<double>(value);
+    core.low[i] = static_cast<double>(value - core.high[i]);
+  }
+  return weight * core;
 }
 
-Sum sum_directly(const fmm::Blobs& sources, double x, double y) {
-  Sum sum;
-  for (std::size_t j = 0; j < sources.size(); ++j) {
-    const long double dx = static_cast<long double>(x) - sources.x[j];
-    const long double dy = static_cast<long double>(y) - sources.y[j];
-    const long double r2 = dx * dx + dy * dy;
-    if (r2 == 0) continue;
-    long double weight = sources.gamma[j] / r2;
-    if (const long double sigma = sources.sigma.empty() ? 0 : sources.sigma[j]; sigma > 0)
-      weight *= core(r2 / (sigma * sigma));
-    sum.u -= weight * dy;
-    sum.v += weight * dx;
-    sum.contributions += std::abs(static_cast<double>(weight)) * std::sqrt(static_cast<double>(r2));
+struct Sum {
+  long double u, v;
+  double contributions;
+};
+
+long double total(const Twice& lanes) {
+  long double sum = 0;
+  for (int i = 0; i < fmm::lane_count; ++i)
+    sum += static_cast<long double>(lanes.high[i]) + lanes.low[i];
+  return sum;
+}
+
+Sum sum_directly(const Packed& sources, std::span<const double> sigma, double x, double y) {
+  Twice u{}, v{};
+  Lanes contributions{};
+  for (std::size_t j = 0; j < sources.x.size(); j += fmm::lane_count) {
+    const Twice dx = exact_sum(fmm::fill(x), -fmm::load(&sources.x[j]));
+    const Twice dy = exact_sum(fmm::fill(y), -fmm::load(&sources.y[j]));
+    Twice r2 = dx * dx + dy * dy;
+    const auto apart = r2.high > 0.0;
+    r2.high = apart ? r2.high : fmm::fill(1.0);
+    const Lanes gamma = apart ? fmm::load(&sources.gamma[j]) : fmm::fill(0.0);
+    Twice weight = inverse(r2) * Twice{gamma, fmm::fill(0.0)};
+    if (!sigma.empty() && fmm::largest(-r2.high) > -core_fades * sources.largest_core)
+      weight = with_cores(weight, r2, &sigma[j], std::min<std::size_t>(8, sigma.size() - j));
+    u = u + weight * dy;
+    v = v + weight * dx;
+    Lanes distance;
+    for (int i = 0; i < fmm::lane_count; ++i) distance[i] = std::sqrt(r2.high[i]);
+    contributions += fmm::magnitude(weight.high) * distance;
   }
   const long double scale = 1 / (2 * std::numbers::pi_v<long double>);
-  return {sum.u * scale, sum.v * scale, sum.contributions * static_cast<double>(scale)};
+  return {-total(u) * scale, total(v) * scale,
+          fmm::sum(contributions) * static_cast<double>(scale)};
 }
 
 std::vector<std::size_t> random_sample(std::size_t n, std::size_t size) {
@@ -51,13 +95,14 @@ Exact exact_velocity(const fmm::Blobs& sources, const fmm::Targets& targets, std
   Exact exact;
   exact.targets = random_sample(targets.size(), sample);
   const std::size_t n = exact.targets.size();
+  const Packed packed(sources);
   exact.u.resize(n);
   exact.v.resize(n);
   exact.contributions.resize(n);
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t i = exact.targets[k];
-    const Sum sum = sum_directly(sources, targets.x[i], targets.y[i]);
+    const Sum sum = sum_directly(packed, sources.sigma, targets.x[i], targets.y[i]);
     exact.u[k] = sum.u;
     exact.v[k] = sum.v;
     exact.contributions[k] = sum.contributions;
