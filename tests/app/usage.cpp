@@ -47,7 +47,7 @@ TEST_CASE("wrong usage is answered with one line and exit code 2") {
       {"velocity wake.h5", "--out"},
       {"velocity wake.h5 --out o.h5 --fast", "--fast"},
       {"velocity wake.h5 --out o.h5 --method magic", "magic"},
-      {"velocity wake.h5 --out o.h5 --method fmm", "boxes"},
+      {"velocity wake.h5 --out o.h5 --method fast", "boxes"},
       {"velocity wake.h5 --out o.h5 --method grid", "bare"},
       {"velocity wake.h5 --out o.h5 --builder sideways", "sideways"},
       {"velocity wake.h5 --out o.h5 --tolerance tight", "tight"},

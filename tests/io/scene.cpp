@@ -206,7 +206,7 @@ TEST_CASE("a value of the wrong type is refused with what it is and what was exp
   CHECK(extra("[[body]]\nradius = 1") ==
         "cases/ring.toml:17: body is an array; a table was expected");
   CHECK(extra("[velocity]\nmethod = \"fast\"") ==
-        "cases/ring.toml:18: velocity.method is \"fast\"; known: boxes, direct");
+        "cases/ring.toml:18: velocity.method is \"fast\"; known: fmm, boxes, direct");
 }
 
 TEST_CASE("a value out of its range is refused with the range") {

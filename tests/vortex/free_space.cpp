@@ -130,12 +130,12 @@ TEST_CASE("without viscosity nothing diffuses, splits or merges") {
   CHECK(test::apart(end, start) > 1e-3);  // but all is carried
 }
 
-TEST_CASE("direct sum and boxes of a tolerance of 1e-9 give the same step") {
-  const auto boxes = vortex::velocity_by_plan({.tolerance = 1e-9, .cores = fmm::Cores::mean});
+TEST_CASE("direct sum and plan of a tolerance of 1e-10 give the same step") {
+  const auto plan = vortex::velocity_by_plan({.tolerance = 1e-10, .cores = fmm::Cores::mean});
   Problem problem = free_vortex(1, 0);
   const Blobs start = test::cloud(1000, 0.02, 0.04);
   const Blobs by_direct = after(start, problem, 1);
-  problem.velocity = boxes.get();
+  problem.velocity = plan.get();
   CHECK(test::apart(after(start, problem, 1), by_direct) < 1e-9);
 }
 
