@@ -39,7 +39,7 @@ bench::Account sum(Problem& problem, const VelocityJob& job, Stopwatch& watch) {
   const auto phase = [&watch](std::string_view name) { watch.begin(name); };
   return method_named(job.method)
       .sum({problem.blobs(), problem.points(), problem.elsewhere, problem.u, problem.v},
-           job.options, phase, job.repeat > 1);
+           job.options, phase, {.repeated = job.repeat > 1});
 }
 
 template <class Value>

@@ -9,8 +9,6 @@
 namespace vortree::bench {
 namespace {
 
-constexpr double most_pairs = 1e9;  // of a sum of every pair: a second or less
-
 double median(std::vector<double> values) {
   std::ranges::sort(values);
   const std::size_t n = values.size();
@@ -19,7 +17,7 @@ double median(std::vector<double> values) {
 
 // Where a sum of every pair is asked for: everywhere, or where the truth is known and at the first
 // points beside.
-std::vector<std::size_t> some_targets(std::size_t n, const Exact& exact) {
+std::vector<std::size_t> some_targets(std::size_t n, const Exact& exact, double most_pairs) {
   const auto wanted = static_cast<std::size_t>(most_pairs / static_cast<double>(n));
   std::vector<std::size_t> chosen = exact.targets;
   for (std::size_t i = 0; i < n && chosen.size() < wanted; ++i) chosen.push_back(i);
@@ -61,9 +59,9 @@ void summarise(const std::vector<app::Stopwatch>& laps, double scale, Measuremen
 Measurement measure(const Method& method, const PointSet& set, const Exact& exact, double tolerance,
                     const Patience& patience) {
   const auto n = static_cast<double>(set.size());
-  const bool partly = method.exact && n * n > 2.0 * most_pairs;
+  const bool partly = method.exact && n * n > 2.0 * patience.most_pairs;
   const std::vector<std::size_t> chosen =
-      partly ? some_targets(set.size(), exact) : std::vector<std::size_t>{};
+      partly ? some_targets(set.size(), exact, patience.most_pairs) : std::vector<std::size_t>{};
   std::vector<double> x, y;
   for (const std::size_t i : chosen) x.push_back(set.x[i]), y.push_back(set.y[i]);
   const fmm::Targets targets = partly ? fmm::Targets{x, y, {}} : fmm::Targets{set.x, set.y, {}};
@@ -72,15 +70,16 @@ Measurement measure(const Method& method, const PointSet& set, const Exact& exac
 
   Measurement made;
   made.targets = targets.size();
-  const auto lap = [&] {
+  const auto lap = [&](bool counted) {
     app::Stopwatch watch;
-    made.account = method.sum(
-        sum, {.tolerance = tolerance}, [&watch](std::string_view name) { watch.begin(name); },
-        true);
+    Account account = method.sum(sum, {.tolerance = tolerance},
+                                 [&watch](std::string_view name) { watch.begin(name); },
+                                 {.repeated = true, .counted = counted});
+    if (counted) made.account = account;
     return watch;
   };
   const MemoryGrowth growth;
-  lap();
+  lap(true);
   made.bytes = growth.bytes();
 
   std::vector<app::Stopwatch> laps;
@@ -89,7 +88,7 @@ Measurement measure(const Method& method, const PointSet& set, const Exact& exac
   for (double spent = 0.0;
        laps.size() < 3 ||
        (spent < patience.seconds && static_cast<int>(laps.size()) < patience.most_repeats);)
-    spent += total(laps.emplace_back(lap()));
+    spent += total(laps.emplace_back(lap(false)));
   made.cpu = (processor_seconds() - used) / all.elapsed();
   summarise(laps, n / static_cast<double>(targets.size()), made);
   made.error = velocity_error(partly ? at_first(exact) : exact, u, v);

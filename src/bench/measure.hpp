@@ -25,17 +25,19 @@ struct Measurement {
   Account account;
 };
 
-/// Measures for so long at least, and three sums at least.
+/// Repeats for so many seconds or so often, but three times at least.
+///
+/// most_pairs   an exact method sums at fewer targets if all would be more than twice as many pairs
 struct Patience {
   double seconds = 0.5;
   int most_repeats = 50;
+  double most_pairs = 1e9;
 };
 
 /// Sums once to warm up, then again and again.
 ///
 /// exact    of the same set, at its own points
-/// A method that is exact and would take more than some seconds sums at some targets only, those of
-/// `exact` among them.
+/// An exact method that sums at some targets only has those of `exact` among them.
 /// throws   what the method throws
 Measurement measure(const Method& method, const PointSet& set, const Exact& exact, double tolerance,
                     const Patience& patience);

@@ -10,7 +10,7 @@ namespace vortree::bench {
 namespace {
 
 template <fmm::Method method>
-Account sum_by_plan(const Sum& sum, const fmm::Options& asked, const Phase& phase, bool) {
+Account sum_by_plan(const Sum& sum, const fmm::Options& asked, const Phase& phase, Use use) {
   fmm::Options options = asked;
   options.method = method;
   const fmm::Plan plan(sum.blobs, options, phase);
@@ -24,12 +24,12 @@ Account sum_by_plan(const Sum& sum, const fmm::Options& asked, const Phase& phas
   account.builder = options.builder == fmm::Builder::reverse ? "reverse" : "forward";
   account.tolerance = options.tolerance;
   account.order = plan.order();
-  if (!sum.elsewhere) account.work = plan.work();
+  if (use.counted && !sum.elsewhere) account.work = plan.work();
   return account;
 }
 
-Account sum_on_grid(const Sum& sum, const fmm::Options& options, const Phase& phase, bool warm) {
-  const GridOptions grid{.tolerance = options.tolerance, .measured = warm};
+Account sum_on_grid(const Sum& sum, const fmm::Options& options, const Phase& phase, Use use) {
+  const GridOptions grid{.tolerance = options.tolerance, .measured = use.repeated};
   velocity_grid(sum.blobs, sum.targets, grid, sum.u, sum.v, phase);
   phase("");
   Account account;
@@ -37,7 +37,7 @@ Account sum_on_grid(const Sum& sum, const fmm::Options& options, const Phase& ph
   return account;
 }
 
-Account sum_directly(const Sum& sum, const fmm::Options&, const Phase& phase, bool) {
+Account sum_directly(const Sum& sum, const fmm::Options&, const Phase& phase, Use) {
   phase("near");
   fmm::velocity_direct(sum.blobs, sum.targets, fmm::Cores::source, sum.u, sum.v);
   phase("");

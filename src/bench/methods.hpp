@@ -30,17 +30,22 @@ struct Account {
 /// Told the name of a part of the work as it begins, and "" when the sum is done.
 using Phase = std::function<void(std::string_view)>;
 
+/// repeated   one of many sums in this process: what pays only then may be done first
+/// counted    the account shall hold the work, where that is not known anyway
+struct Use {
+  bool repeated = false, counted = true;
+};
+
 /// A way to sum.
 ///
 /// name     on the command line
 /// bare     it serves bare vortices too
 /// exact    it knows no tolerance
-/// warm     told by one who sums many times: what pays only then may be done first
 /// throws   std::invalid_argument for blobs or options that it does not serve
 struct Method {
   std::string_view name;
   bool bare, exact;
-  Account (*sum)(const Sum& sum, const fmm::Options& options, const Phase& phase, bool warm);
+  Account (*sum)(const Sum& sum, const fmm::Options& options, const Phase& phase, Use use);
 };
 
 /// Every method, best first.

@@ -40,12 +40,12 @@ Programme programme(bool quick, std::size_t largest) {
                  .thoroughly = {10'000, 100'000},
                  .some = {1e-3, 1e-6, 1e-9, 1e-12},
                  .only_1e6_from = 300'000,
-                 .patience = {.seconds = 0.05, .most_repeats = 20}};
+                 .patience = {.seconds = 0.05, .most_repeats = 20, .most_pairs = 2e8}};
   if (!quick) {
     made.sizes.push_back(4'000'000);
     made.thoroughly = {1'000, 10'000, 100'000, 1'000'000};
     made.only_1e6_from = 5'000'000;
-    made.patience = {.seconds = 0.5, .most_repeats = 50};
+    made.patience = {.seconds = 0.5, .most_repeats = 50, .most_pairs = 1e9};
   }
   if (largest > 0) std::erase_if(made.sizes, [=](std::size_t n) { return n > largest; });
   return made;
