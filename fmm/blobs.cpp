@@ -7,6 +7,8 @@
 namespace vortree::fmm {
 namespace {
 
+constexpr std::size_t many = 50000;  // values that threads share
+
 void check_length(const char* name, std::size_t found, std::size_t expected) {
   if (found != expected) {
     throw std::invalid_argument(std::string(name) + " has " + std::to_string(found) +
@@ -22,7 +24,7 @@ void check_length(const char* name, std::size_t found, std::size_t expected) {
 /// x - x is 0 for finite x only; one branch at the end lets the loop run by lanes.
 bool all_finite(std::span<const double> values) {
   double rest = 0.0;
-#pragma omp simd reduction(+ : rest)
+#pragma omp parallel for simd reduction(+ : rest) if (values.size() > many)
   for (std::size_t i = 0; i < values.size(); ++i) rest += values[i] - values[i];
   return rest == 0.0;
 }

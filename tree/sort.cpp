@@ -61,6 +61,7 @@ std::vector<Key> encode_points(Points points, const Domain& domain, int finest) 
   const std::size_t n = points.size();
   std::vector<Key> keys(n);
   std::uint64_t strays = 0;
+#pragma omp parallel for schedule(static) reduction(+ : strays) if (n > 50000)
   for (std::size_t i = 0; i < n; ++i) {
     strays += static_cast<std::uint64_t>(!(x.holds(points.x[i]) & y.holds(points.y[i])));
     keys[i] = encode({x.cell(points.x[i]) & mask, y.cell(points.y[i]) & mask});

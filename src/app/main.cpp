@@ -8,8 +8,8 @@ namespace {
 /// Freed memory stays with the program: a step frees and takes megabytes, and fresh pages of the
 /// system cost more than what is computed in them.
 void keep_freed_memory() {
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);
   mallopt(M_TOP_PAD, 1 << 26);
 }
 
