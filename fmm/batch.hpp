@@ -6,7 +6,7 @@
 
 #include "fmm/cells.hpp"
 #include "fmm/interactions.hpp"
-#include "fmm/lanes.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

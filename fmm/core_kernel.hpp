@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "fmm/lanes.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 
-#include "fmm/lanes.hpp"
 #include "fmm/translation_kernel.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

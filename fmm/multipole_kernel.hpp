@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "fmm/lanes.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

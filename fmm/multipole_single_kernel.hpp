@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fmm/lanes.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

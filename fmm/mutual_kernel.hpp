@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
-#include "fmm/lanes.hpp"
 #include "fmm/p2p_kernel.hpp"
 #include "fmm/translation_kernel.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "fmm/core_kernel.hpp"
-#include "fmm/lanes.hpp"
 #include "fmm/packed.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "fmm/core_kernel.hpp"
-#include "fmm/lanes.hpp"
 #include "fmm/p2p_kernel.hpp"
 #include "fmm/packed.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

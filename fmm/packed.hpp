@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fmm/lanes.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 

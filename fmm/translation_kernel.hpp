@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fmm/lanes.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::fmm {
 
@@ -236,9 +236,9 @@ inline void transpose(typename VectorOf<Number>::Type* v) {
   };
   constexpr auto lanes = std::make_integer_sequence<int, n>{};
   swap_blocks.template operator()<1>(lanes);
-  swap_blocks.template operator()<2>(lanes);
-  swap_blocks.template operator()<4>(lanes);
-  if constexpr (n == 16) swap_blocks.template operator()<8>(lanes);
+  if constexpr (n > 2) swap_blocks.template operator()<2>(lanes);
+  if constexpr (n > 4) swap_blocks.template operator()<4>(lanes);
+  if constexpr (n > 8) swap_blocks.template operator()<8>(lanes);
 }
 
 /// Series are stored cell by cell, `padded` real parts, then as many imaginary parts; padded is a

@@ -11,8 +11,6 @@
 namespace vortree::bench {
 namespace {
 
-using fmm::Lanes;
-
 // Past this an exponential is below the last bit of a long double.
 constexpr double core_fades = 50.0;
 
@@ -26,14 +24,14 @@ struct Packed {
         y(blobs.y.begin(), blobs.y.end()),
         gamma(blobs.gamma.begin(), blobs.gamma.end()) {
     for (const double sigma : blobs.sigma) largest_core = std::max(largest_core, sigma * sigma);
-    const std::size_t room = (blobs.size() + 7) / 8 * 8;
+    const std::size_t room = padded(blobs.size());
     for (auto* column : {&x, &y, &gamma}) column->resize(room, 0.0);
   }
 };
 
 // Multiplies the weights of the lanes where a core shows by 1 - exp(-r^2/sigma^2).
 Twice with_cores(const Twice& weight, const Twice& r2, const double* sigma, std::size_t lanes) {
-  Twice core{fmm::fill(1.0), fmm::fill(0.0)};
+  Twice core{fill(1.0), fill(0.0)};
   for (std::size_t i = 0; i < lanes; ++i) {
     const long double squared = static_cast<long double>(sigma[i]) * sigma[i];
     const long double r = static_cast<long double>(r2.high[i]) + r2.low[i];
@@ -52,7 +50,7 @@ struct Sum {
 
 long double total(const Twice& lanes) {
   long double sum = 0;
-  for (int i = 0; i < fmm::lane_count; ++i)
+  for (int i = 0; i < lane_count; ++i)
     sum += static_cast<long double>(lanes.high[i]) + lanes.low[i];
   return sum;
 }
@@ -60,25 +58,25 @@ long double total(const Twice& lanes) {
 Sum sum_directly(const Packed& sources, std::span<const double> sigma, double x, double y) {
   Twice u{}, v{};
   Lanes contributions{};
-  for (std::size_t j = 0; j < sources.x.size(); j += fmm::lane_count) {
-    const Twice dx = exact_sum(fmm::fill(x), -fmm::load(&sources.x[j]));
-    const Twice dy = exact_sum(fmm::fill(y), -fmm::load(&sources.y[j]));
+  for (std::size_t j = 0; j < sources.x.size(); j += lane_count) {
+    const Twice dx = exact_sum(fill(x), -load(&sources.x[j]));
+    const Twice dy = exact_sum(fill(y), -load(&sources.y[j]));
     Twice r2 = dx * dx + dy * dy;
     const auto apart = r2.high > 0.0;
-    r2.high = apart ? r2.high : fmm::fill(1.0);
-    const Lanes gamma = apart ? fmm::load(&sources.gamma[j]) : fmm::fill(0.0);
-    Twice weight = inverse(r2) * Twice{gamma, fmm::fill(0.0)};
-    if (!sigma.empty() && fmm::largest(-r2.high) > -core_fades * sources.largest_core)
-      weight = with_cores(weight, r2, &sigma[j], std::min<std::size_t>(8, sigma.size() - j));
+    r2.high = apart ? r2.high : fill(1.0);
+    const Lanes gamma = apart ? load(&sources.gamma[j]) : fill(0.0);
+    Twice weight = inverse(r2) * Twice{gamma, fill(0.0)};
+    if (!sigma.empty() && largest(-r2.high) > -core_fades * sources.largest_core)
+      weight =
+          with_cores(weight, r2, &sigma[j], std::min<std::size_t>(lane_count, sigma.size() - j));
     u = u + weight * dy;
     v = v + weight * dx;
     Lanes distance;
-    for (int i = 0; i < fmm::lane_count; ++i) distance[i] = std::sqrt(r2.high[i]);
-    contributions += fmm::magnitude(weight.high) * distance;
+    for (int i = 0; i < lane_count; ++i) distance[i] = std::sqrt(r2.high[i]);
+    contributions += magnitude(weight.high) * distance;
   }
   const long double scale = 1 / (2 * std::numbers::pi_v<long double>);
-  return {-total(u) * scale, total(v) * scale,
-          fmm::sum(contributions) * static_cast<double>(scale)};
+  return {-total(u) * scale, total(v) * scale, sum(contributions) * static_cast<double>(scale)};
 }
 
 std::vector<std::size_t> random_sample(std::size_t n, std::size_t size) {

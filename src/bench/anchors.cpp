@@ -4,13 +4,11 @@
 #include <chrono>
 #include <vector>
 
-#include "fmm/lanes.hpp"
 #include "fmm/reals.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::bench {
 namespace {
-
-using fmm::Lanes;
 
 double seconds_of(const auto& work) {
   using Clock = std::chrono::steady_clock;
@@ -37,25 +35,25 @@ constexpr int chains = 6;
 template <class Step>
 void run_chains(int times, const Step& step) {
   Lanes value[chains];
-  for (int c = 0; c < chains; ++c) value[c] = fmm::fill(1.0 + c);
+  for (int c = 0; c < chains; ++c) value[c] = fill(1.0 + c);
   for (int time = 0; time < times; ++time) {
 #pragma GCC unroll 16
     for (int c = 0; c < chains; ++c) value[c] = step(value[c]);
   }
   Lanes sum = {};
   for (int c = 0; c < chains; ++c) sum += value[c];
-  sink = fmm::sum(sum);
+  sink = vortree::sum(sum);
 }
 
 constexpr int additions = rounds / 2, divisions = rounds / 16;
 
 void multiply_and_add() {
-  const Lanes factor = fmm::fill(hidden_factor), term = fmm::fill(hidden_term);
+  const Lanes factor = fill(hidden_factor), term = fill(hidden_term);
   run_chains(additions, [=](Lanes value) { return value * factor + term; });
 }
 
 void divide() {
-  const Lanes divisor = fmm::fill(hidden_factor);
+  const Lanes divisor = fill(hidden_factor);
   run_chains(divisions, [=](Lanes value) { return value / divisor; });
 }
 
@@ -84,7 +82,7 @@ double rate(int threads, double operations, void (*work)()) {
 }  // namespace
 
 Anchors measure_anchors(int threads) {
-  constexpr double lanes = fmm::lane_count;
+  constexpr double lanes = lane_count;
   return {.fma = rate(threads, lanes * chains * additions, multiply_and_add),
           .divisions = rate(threads, lanes * chains * divisions, divide),
           .triad = triad_rate(threads)};

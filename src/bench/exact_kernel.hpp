@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "fmm/lanes.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::bench {
 
@@ -11,27 +11,27 @@ namespace vortree::bench {
 /// Sums and products are exact to 2^-100 or so; the compiler must keep the order of operations.
 /// source  Dekker, Numer. Math. 18 (1971)
 struct Twice {
-  fmm::Lanes high, low;
+  Lanes high, low;
 };
 
-inline fmm::Lanes fused(fmm::Lanes a, fmm::Lanes b, fmm::Lanes c) {
-  fmm::Lanes result;
-  for (int i = 0; i < fmm::lane_count; ++i) result[i] = std::fma(a[i], b[i], c[i]);
+inline Lanes fused(Lanes a, Lanes b, Lanes c) {
+  Lanes result;
+  for (int i = 0; i < lane_count; ++i) result[i] = std::fma(a[i], b[i], c[i]);
   return result;
 }
 
-inline Twice exact_sum(fmm::Lanes a, fmm::Lanes b) {
-  const fmm::Lanes sum = a + b, part = sum - a;
+inline Twice exact_sum(Lanes a, Lanes b) {
+  const Lanes sum = a + b, part = sum - a;
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-inline Twice exact_product(fmm::Lanes a, fmm::Lanes b) {
-  const fmm::Lanes product = a * b;
+inline Twice exact_product(Lanes a, Lanes b) {
+  const Lanes product = a * b;
   return {product, fused(a, b, -product)};
 }
 
-inline Twice renormalised(fmm::Lanes high, fmm::Lanes low) {
-  const fmm::Lanes sum = high + low;
+inline Twice renormalised(Lanes high, Lanes low) {
+  const Lanes sum = high + low;
   return {sum, low - (sum - high)};
 }
 
@@ -46,8 +46,8 @@ inline Twice operator*(const Twice& a, const Twice& b) {
 }
 
 inline Twice inverse(const Twice& a) {
-  const fmm::Lanes first = 1.0 / a.high;
-  const fmm::Lanes missed = fused(-first, a.high, fmm::fill(1.0)) - first * a.low;
+  const Lanes first = 1.0 / a.high;
+  const Lanes missed = fused(-first, a.high, fill(1.0)) - first * a.low;
   return renormalised(first, first * missed);
 }
 

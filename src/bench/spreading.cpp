@@ -16,7 +16,7 @@ static_assert(strip_rows >= Window::most_width);
 template <int vectors>
 struct Weights {
   int first_x, first_y;
-  fmm::Lanes x[vectors], y[vectors];
+  Lanes x[vectors], y[vectors];
 
   Weights(const Window& window, double at_x, double at_y) {
     const double left = at_x - 0.5 * window.width(), below = at_y - 0.5 * window.width();
@@ -36,10 +36,10 @@ void spread_one(const Weights<vectors>& weights, double gamma, int width, std::s
   const double* weight = weights.rows();
   for (int r = 0; r < width; ++r, row += stride) {
     const double strength = gamma * weight[r];
-#pragma GCC unroll 2
+#pragma GCC unroll 4
     for (int c = 0; c < vectors; ++c) {
       double* place = row + c * Window::lanes;
-      fmm::store(place, fmm::load(place) + strength * weights.x[c]);
+      store(place, load(place) + strength * weights.x[c]);
     }
   }
 }
@@ -59,6 +59,15 @@ void spread_strips(const Visitors& from, std::span<const double> gamma, const Wi
   }
 }
 
+/// `run<vectors>()` for a number of vectors that is known only now.
+template <int most = Window::most_width / Window::lanes>
+void with_vectors(int vectors, const auto& run) {
+  if constexpr (most > 1) {
+    if (vectors < most) return with_vectors<most - 1>(vectors, run);
+  }
+  run.template operator()<most>();
+}
+
 struct Velocity {
   double u, v;
 };
@@ -66,23 +75,23 @@ struct Velocity {
 template <int vectors>
 Velocity gather_one(const Weights<vectors>& weights, int width, std::size_t stride,
                     const double* grid_u, const double* grid_v) {
-  fmm::Lanes u[vectors] = {}, v[vectors] = {};
+  Lanes u[vectors] = {}, v[vectors] = {};
   std::size_t place = weights.first(stride);
   const double* weight = weights.rows();
   for (int r = 0; r < width; ++r, place += stride) {
-#pragma GCC unroll 2
+#pragma GCC unroll 4
     for (int c = 0; c < vectors; ++c) {
-      u[c] += weight[r] * fmm::load(grid_u + place + c * Window::lanes);
-      v[c] += weight[r] * fmm::load(grid_v + place + c * Window::lanes);
+      u[c] += weight[r] * load(grid_u + place + c * Window::lanes);
+      v[c] += weight[r] * load(grid_v + place + c * Window::lanes);
     }
   }
-  fmm::Lanes sum_u = {}, sum_v = {};
-#pragma GCC unroll 2
+  Lanes sum_u = {}, sum_v = {};
+#pragma GCC unroll 4
   for (int c = 0; c < vectors; ++c) {
     sum_u += u[c] * weights.x[c];
     sum_v += v[c] * weights.x[c];
   }
-  return {fmm::sum(sum_u), fmm::sum(sum_v)};
+  return {sum(sum_u), sum(sum_v)};
 }
 
 template <int vectors>
@@ -134,7 +143,7 @@ void spread(const Visitors& from, std::span<const double> gamma, const Window& w
   const auto run = [&]<int vectors>() {
     spread_strips<vectors>(from, gamma, window, lattice.stride(), grid.data());
   };
-  window.vectors() == 1 ? run.operator()<1>() : run.operator()<2>();
+  with_vectors(window.vectors(), run);
 }
 
 void gather(const Visitors& at, const Window& window, const Lattice& lattice,
@@ -143,7 +152,7 @@ void gather(const Visitors& at, const Window& window, const Lattice& lattice,
   const auto run = [&]<int vectors>() {
     gather_all<vectors>(at, window, lattice.stride(), grid_u.data(), grid_v.data(), u, v);
   };
-  window.vectors() == 1 ? run.operator()<1>() : run.operator()<2>();
+  with_vectors(window.vectors(), run);
 }
 
 }  // namespace vortree::bench

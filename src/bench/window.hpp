@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fmm/lanes.hpp"
+#include "tree/lanes.hpp"
 
 namespace vortree::bench {
 
@@ -16,7 +16,7 @@ namespace vortree::bench {
 /// source     Potts & Steidl, SIAM J. Sci. Comput. 24 (2003)
 class Window {
  public:
-  static constexpr int lanes = fmm::lane_count, most_width = 16;
+  static constexpr int lanes = lane_count, most_width = 16;
 
   Window(int width, double shape, double accuracy);
 
@@ -27,15 +27,15 @@ class Window {
   /// Weights on the grid lines first, first + 1, ... about a point at `first + width/2 - t`,
   /// 0 <= t <= 1: phi(j + t - width/2). Past `width` they are zero.
   template <int vectors>
-  void weigh(double t, fmm::Lanes (&weights)[vectors]) const {
+  void weigh(double t, Lanes (&weights)[vectors]) const {
     const double s = 2.0 * t - 1.0;
     const double* term = terms_.data();
-#pragma GCC unroll 2
-    for (int j = 0; j < vectors; ++j) weights[j] = fmm::load(term + j * lanes);
+#pragma GCC unroll 4
+    for (int j = 0; j < vectors; ++j) weights[j] = load(term + j * lanes);
     for (int k = 1; k <= degree_; ++k) {
       term += vectors * lanes;
-#pragma GCC unroll 2
-      for (int j = 0; j < vectors; ++j) weights[j] = weights[j] * s + fmm::load(term + j * lanes);
+#pragma GCC unroll 4
+      for (int j = 0; j < vectors; ++j) weights[j] = weights[j] * s + load(term + j * lanes);
     }
   }
 

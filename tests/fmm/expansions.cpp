@@ -51,7 +51,7 @@ struct Series {
   Series(int order, test::Uniform& uniform)
       : terms(order),
         padded(static_cast<int>(
-            fmm::padded(static_cast<std::size_t>(order), fmm::VectorOf<Number>::count))),
+            vortree::padded(static_cast<std::size_t>(order), fmm::VectorOf<Number>::count))),
         parts(2 * static_cast<std::size_t>(padded)) {
     for (Number& part : parts) part = static_cast<Number>(2 * uniform() - 1);
     for (int k = 0; k < order; ++k) plain.emplace_back(parts[k], parts[padded + k]);

@@ -26,7 +26,7 @@ struct Cells {
       y.push_back(again ? double{y[other]} : here_y);
       gamma.push_back(2 * uniform() - 1);
     }
-    while (x.size() % fmm::lane_count != 0) {
+    while (x.size() % lane_count != 0) {
       x.push_back(double{x.back()}), y.push_back(double{y.back()}), gamma.push_back(0.0);
     }
     u.assign(x.size(), 0.0), v.assign(x.size(), 0.0);
@@ -38,7 +38,7 @@ struct Cells {
   /// The places of the vectors of a cell.
   [[nodiscard]] std::vector<std::uint32_t> blocks(std::size_t cell) const {
     std::vector<std::uint32_t> places;
-    for (std::size_t j = 0; j < size[cell]; j += fmm::lane_count) {
+    for (std::size_t j = 0; j < size[cell]; j += lane_count) {
       places.push_back(static_cast<std::uint32_t>(first[cell] + j));
     }
     return places;
@@ -73,7 +73,7 @@ struct Cells {
 /// Cell 0 meets itself and all the others at once; returns the sums of all.
 template <bool both>
 Cells meet(Cells cells) {
-  std::vector<fmm::Lanes> room_u(fmm::padded(cells.size[0])), room_v(room_u.size());
+  std::vector<Lanes> room_u(padded(cells.size[0])), room_v(room_u.size());
   const fmm::MutualCell cell{cells.first[0], room_u.size(), room_u.data(), room_v.data()};
   std::vector<std::uint32_t> blocks;
   for (std::size_t c = 1; c < cells.size.size(); ++c) {

@@ -19,10 +19,10 @@ namespace {
 
 template <class Exp>
 double core_once(double q) {
-  const fmm::Lanes argument[1] = {fmm::fill(q)};
-  fmm::Lanes result[1];
+  const Lanes argument[1] = {fill(q)};
+  Lanes result[1];
   fmm::core<Exp>(argument, result);
-  return result[0][5];
+  return result[0][lane_count - 1];
 }
 
 template <class Exp>
@@ -150,7 +150,7 @@ TEST_CASE("M2P of enough terms equals the long double sum, and its rows agree") 
   const Cluster cluster(25, centre, h);
   const std::vector<Complex> terms = cluster.multipole(centre, h, 45);
   const std::vector<double> parts = split(terms);
-  constexpr std::size_t n = 4 * fmm::lane_count;
+  constexpr std::size_t n = 4 * lane_count;
   double x[n], y[n], u[n] = {}, v[n] = {};
   test::Uniform uniform(4);
   for (std::size_t i = 0; i < n; ++i) {
@@ -159,7 +159,8 @@ TEST_CASE("M2P of enough terms equals the long double sum, and its rows agree") 
   }
   const fmm::M2pSource source{centre.real(), centre.imag(), h, parts.data(), parts.data() + 45, 45};
   fmm::m2p_rows<3>(source, x, y, u, v);
-  fmm::m2p_rows<1>(source, x + 24, y + 24, u + 24, v + 24);
+  constexpr std::size_t last = 3 * lane_count;
+  fmm::m2p_rows<1>(source, x + last, y + last, u + last, v + last);
   for (std::size_t i = 0; i < n; ++i) {
     const Complex at(x[i], y[i]);
     const std::complex<long double> exact = cluster.field(at);
@@ -175,7 +176,7 @@ TEST_CASE("M2P in single precision agrees with double to single precision") {
   const double h = 1e-3, size = 5e-3;
   const std::vector<double> parts = split(Cluster(25, centre, h).multipole(centre, h, 30));
   const std::vector<float> singles(parts.begin(), parts.end());
-  constexpr std::size_t n = 4 * fmm::single_count;
+  constexpr std::size_t n = 4 * single_count;
   double x[n], y[n], u[n] = {}, v[n] = {}, single_u[n] = {}, single_v[n] = {};
   float frame_x[n], frame_y[n];
   test::Uniform uniform(6);
@@ -187,12 +188,13 @@ TEST_CASE("M2P in single precision agrees with double to single precision") {
   }
   fmm::m2p_rows<4>({centre.real(), centre.imag(), h, parts.data(), parts.data() + 30, 30}, x, y, u,
                    v);
-  fmm::m2p_rows<4>({centre.real(), centre.imag(), h, parts.data(), parts.data() + 30, 30}, x + 32,
-                   y + 32, u + 32, v + 32);
+  constexpr std::size_t half = n / 2, last = 3 * single_count;
+  fmm::m2p_rows<4>({centre.real(), centre.imag(), h, parts.data(), parts.data() + 30, 30}, x + half,
+                   y + half, u + half, v + half);
   const fmm::M2pSingleSource source{
       0.0f, 0.0f, static_cast<float>(h / size), 1.0 / h, singles.data(), singles.data() + 30, 30};
   fmm::m2p_single_rows<3>(source, frame_x, frame_y, single_u, single_v);
-  fmm::m2p_single_rows<1>(source, frame_x + 48, frame_y + 48, single_u + 48, single_v + 48);
+  fmm::m2p_single_rows<1>(source, frame_x + last, frame_y + last, single_u + last, single_v + last);
   for (std::size_t i = 0; i < n; ++i) {
     const double scale = 25.0 / std::hypot(x[i] - centre.real(), y[i] - centre.imag());
     CHECK(std::hypot(single_u[i] - u[i], single_v[i] - v[i]) < 3e-7 * scale);

@@ -1,0 +1,189 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
+
+namespace vortree {
+
+/// One register full of doubles, or of floats, that are worked on at once: the compilers' own
+/// vector types, so that the operators + - * / < ?: act on all lanes and a product followed by a
+/// sum becomes one fused instruction. Types wider than the machine's registers would live in
+/// memory.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+inline constexpr int register_bytes = 64, registers = 32;
+#elif defined(__AVX__)
+inline constexpr int register_bytes = 32, registers = 16;
+#else
+inline constexpr int register_bytes = 16, registers = 16;
+#endif
+
+inline constexpr int lane_count = register_bytes / 8;
+using Lanes [[gnu::vector_size(register_bytes)]] = double;
+using Bits [[gnu::vector_size(register_bytes)]] = std::int64_t;
+
+inline constexpr int single_count = register_bytes / 4;
+using Singles [[gnu::vector_size(register_bytes)]] = float;
+using SingleBits [[gnu::vector_size(register_bytes)]] = std::int32_t;
+
+inline Lanes load(const double* from) {
+  Lanes a;
+  std::memcpy(&a, from, sizeof a);
+  return a;
+}
+inline Singles load(const float* from) {
+  Singles a;
+  std::memcpy(&a, from, sizeof a);
+  return a;
+}
+
+inline void store(double* to, Lanes a) {
+  std::memcpy(to, &a, sizeof a);
+}
+inline void store(float* to, Singles a) {
+  std::memcpy(to, &a, sizeof a);
+}
+
+inline Lanes fill(double value) {
+  return value - Lanes{};
+}
+inline Singles fill(float value) {
+  return value - Singles{};
+}
+
+inline Lanes larger(Lanes a, Lanes b) {
+  return a > b ? a : b;
+}
+inline Lanes smaller(Lanes a, Lanes b) {
+  return a < b ? a : b;
+}
+inline Lanes magnitude(Lanes a) {
+  return (Lanes)((Bits)a & INT64_MAX);
+}
+
+inline double largest(Lanes a) {
+  double most = a[0];
+  for (int i = 1; i < lane_count; ++i) most = most < a[i] ? a[i] : most;
+  return most;
+}
+
+/// Sum over the lanes, always in the same order.
+inline double sum(Lanes a) {
+  double part[lane_count];
+  store(part, a);
+  for (int width = lane_count / 2; width > 0; width /= 2) {
+    for (int i = 0; i < width; ++i) part[i] += part[i + width];
+  }
+  return part[0];
+}
+
+/// The first and the last half of some floats, as doubles.
+using HalfSingles [[gnu::vector_size(register_bytes / 2)]] = float;
+inline Lanes low(Singles a) {
+  HalfSingles half;
+  std::memcpy(&half, &a, sizeof half);
+  return __builtin_convertvector(half, Lanes);
+}
+inline Lanes high(Singles a) {
+  HalfSingles half;
+  std::memcpy(&half, reinterpret_cast<const char*>(&a) + sizeof half, sizeof half);
+  return __builtin_convertvector(half, Lanes);
+}
+
+inline double sum(Singles a) {
+  return sum(low(a) + high(a));
+}
+
+/// n rounded up to whole vectors.
+constexpr std::size_t padded(std::size_t n, std::size_t count = lane_count) {
+  return (n + count - 1) / count * count;
+}
+
+/// Some of the lanes, one bit each.
+using LaneSet = unsigned;
+
+/// The first n lanes, at most all.
+inline LaneSet first_lanes(std::size_t n) {
+  return n >= lane_count ? (1u << lane_count) - 1u : (1u << n) - 1u;
+}
+
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+
+inline LaneSet where(Bits condition) {
+  return _mm512_movepi64_mask((__m512i)condition);
+}
+
+inline Lanes load(const double* from, LaneSet lanes, double others = 0.0) {
+  return (Lanes)_mm512_mask_loadu_pd((__m512d)fill(others), static_cast<__mmask8>(lanes), from);
+}
+
+/// Stores the chosen lanes next to each other; places for all must be writable.
+inline void store_close(double* to, Lanes a, LaneSet lanes) {
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(lanes), (__m512d)a));
+}
+
+#elif defined(__AVX2__)
+
+inline LaneSet where(Bits condition) {
+  return static_cast<LaneSet>(_mm256_movemask_pd((__m256d)condition));
+}
+
+inline Lanes load(const double* from, LaneSet lanes, double others = 0.0) {
+  const Bits bit = {1, 2, 4, 8};
+  const Bits chosen = (bit & static_cast<std::int64_t>(lanes)) != 0;
+  const Lanes some = (Lanes)_mm256_maskload_pd(from, (__m256i)chosen);
+  return chosen ? some : fill(others);
+}
+
+/// Stores the chosen lanes next to each other; places for all must be writable.
+inline void store_close(double* to, Lanes a, LaneSet lanes) {
+  struct Moves {
+    alignas(32) std::int32_t half[16][8];
+  };
+  static constexpr Moves moves = [] {
+    Moves made{};
+    for (unsigned set = 0; set < 16; ++set) {
+      for (int lane = 0, next = 0; lane < 4; ++lane) {
+        if ((set >> lane & 1u) == 0) continue;
+        made.half[set][2 * next] = 2 * lane, made.half[set][2 * next + 1] = 2 * lane + 1;
+        ++next;
+      }
+    }
+    return made;
+  }();
+  const __m256i move = _mm256_load_si256(reinterpret_cast<const __m256i*>(moves.half[lanes]));
+  const __m256i close = _mm256_permutevar8x32_epi32((__m256i)a, move);
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), close);
+}
+
+#else
+
+inline LaneSet where(Bits condition) {
+  LaneSet lanes = 0;
+  for (int i = 0; i < lane_count; ++i) lanes |= condition[i] != 0 ? 1u << i : 0u;
+  return lanes;
+}
+
+inline Lanes load(const double* from, LaneSet lanes, double others = 0.0) {
+  Lanes a = fill(others);
+  for (int i = 0; i < lane_count; ++i) {
+    if (lanes >> i & 1u) a[i] = from[i];
+  }
+  return a;
+}
+
+inline void store_close(double* to, Lanes a, LaneSet lanes) {
+  for (int i = 0; i < lane_count; ++i) {
+    *to = a[i];
+    to += lanes >> i & 1u;
+  }
+}
+
+#endif
+
+}  // namespace vortree
