@@ -5,8 +5,8 @@
 
 #include "fmm/blobs.hpp"
 #include "fmm/cells.hpp"
-#include "fmm/reals.hpp"
 #include "fmm/units.hpp"
+#include "tree/memory.hpp"
 #include "tree/quadtree.hpp"
 #include "tree/split_rule.hpp"
 

@@ -4,8 +4,8 @@
 #include "fmm/evaluate.hpp"
 #include "fmm/evaluator.hpp"
 #include "fmm/options.hpp"
-#include "fmm/reals.hpp"
 #include "fmm/units.hpp"
+#include "tree/memory.hpp"
 
 namespace vortree::fmm {
 

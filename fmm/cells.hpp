@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "fmm/reals.hpp"
+#include "tree/memory.hpp"
 #include "tree/quadtree.hpp"
 
 namespace vortree::fmm {

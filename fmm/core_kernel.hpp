@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <iterator>
 
@@ -51,35 +52,46 @@ struct RoundingOf<Singles> {
   static constexpr int exponent_bits = 23;
 };
 
+/// sum_k terms[first + k] f^k for k < count, by halves (Estrin): the halves do not wait for each
+/// other. power[i] = f^(2^i).
+template <class Exp, int first, int count, class Vector>
+inline Vector by_halves(const Vector* power) {
+  using Number = typename RoundingOf<Vector>::Number;
+  if constexpr (count == 1) {
+    return fill(static_cast<Number>(Exp::terms[first]));
+  } else {
+    constexpr int level = std::bit_width(static_cast<unsigned>(count - 1)) - 1, half = 1 << level;
+    return by_halves<Exp, first + half, count - half>(power) * power[level] +
+           by_halves<Exp, first, half>(power);
+  }
+}
+
 /// With n = round(-q log2 e) and f the remainder, |f| <= 1/2,
 ///   1 - exp(-q) = 1 - 2^n (1 + p) = (1 - 2^n) - 2^n p,   p = 2^f - 1,
 /// where 1 - 2^n is exact and vanishes for n = 0, so that small q keep all their digits.
 /// Beyond `largest` the result is 1 to the last bit and 2^n would leave the range.
-///
-/// Several vectors go side by side, step by step: one alone would wait for its own polynomial.
-template <class Exp, class Vector, int rows>
-inline void core(const Vector (&q)[rows], Vector (&result)[rows]) {
+
+template <class Exp, class Vector>
+inline Vector core(Vector q) {
   using Rounding = RoundingOf<Vector>;
   using Number = typename Rounding::Number;
   using Integers = typename Rounding::Integers;
   constexpr Number log2e = static_cast<Number>(1.4426950408889634074);
-  constexpr int degree = std::size(Exp::terms) - 1;
-  const Vector limit = fill(Rounding::largest);
-  Vector bounded[rows], shifted[rows], f[rows], p[rows];
-  for (int i = 0; i < rows; ++i) bounded[i] = q[i] < limit ? q[i] : limit;
-  for (int i = 0; i < rows; ++i) shifted[i] = Rounding::shifter - bounded[i] * log2e;
-  for (int i = 0; i < rows; ++i) f[i] = (Rounding::shifter - shifted[i]) - bounded[i] * log2e;
-  for (int i = 0; i < rows; ++i) p[i] = fill(static_cast<Number>(Exp::terms[degree]));
-#pragma GCC unroll 16
-  for (int k = degree - 1; k >= 0; --k) {
-    for (int i = 0; i < rows; ++i) p[i] = p[i] * f[i] + static_cast<Number>(Exp::terms[k]);
-  }
-  for (int i = 0; i < rows; ++i) p[i] *= f[i];
-  for (int i = 0; i < rows; ++i) {
-    const Integers one = (Integers)fill(Number{1});
-    const Vector power = (Vector)(((Integers)shifted[i] << Rounding::exponent_bits) + one);
-    result[i] = (1 - power) - power * p[i];
-  }
+  const Vector bounded = smaller(q, fill(Rounding::largest));
+  const Vector shifted = Rounding::shifter - bounded * log2e;
+  const Vector f = (Rounding::shifter - shifted) - bounded * log2e;
+  const Vector f2 = f * f, f4 = f2 * f2;
+  const Vector powers[] = {f, f2, f4, f4 * f4};
+  const Vector p = by_halves<Exp, 0, std::size(Exp::terms)>(powers) * f;
+  const Integers one = (Integers)fill(Number{1});
+  const Vector power = (Vector)(((Integers)shifted << Rounding::exponent_bits) + one);
+  return (1 - power) - power * p;
+}
+
+/// Several vectors side by side.
+template <class Exp, class Vector, int rows>
+inline void core(const Vector (&q)[rows], Vector (&result)[rows]) {
+  for (int i = 0; i < rows; ++i) result[i] = core<Exp>(q[i]);
 }
 
 }  // namespace vortree::fmm

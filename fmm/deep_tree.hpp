@@ -7,6 +7,7 @@
 #include "fmm/arrangement.hpp"
 #include "fmm/blobs.hpp"
 #include "fmm/units.hpp"
+#include "tree/memory.hpp"
 #include "tree/quadtree.hpp"
 
 namespace vortree::fmm {
@@ -58,9 +59,10 @@ class DeepTree {
   void set_frames(const tree::Domain& domain, const Units& units);
   void rank_childless();
 
-  std::vector<DeepCell> cells_;
-  std::vector<Frame> frames_;
-  std::vector<std::uint32_t> level_first_{0}, childless_, order_;
+  Unwritten<DeepCell> cells_;
+  Unwritten<Frame> frames_;
+  Unwritten<std::uint32_t> childless_, order_;
+  std::vector<std::uint32_t> level_first_{0};
 };
 
 }  // namespace vortree::fmm

@@ -53,7 +53,7 @@ template <class Number>
 struct FarField<Number>::Families {
   static constexpr int lanes = VectorOf<Number>::count;
   using Complexes = ComplexLanes<Number>;
-  using Room = std::vector<Complexes, Untouched<Complexes>>;
+  using Room = Unwritten<Complexes>;
 
   explicit Families(int order, int padded)
       : series(static_cast<std::size_t>((places + 1) * padded)),

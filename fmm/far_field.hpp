@@ -8,8 +8,8 @@
 #include "fmm/leaves.hpp"
 #include "fmm/lists.hpp"
 #include "fmm/p2p_kernel.hpp"
-#include "fmm/reals.hpp"
 #include "fmm/translation_kernel.hpp"
+#include "tree/memory.hpp"
 
 namespace vortree::fmm {
 
@@ -44,7 +44,7 @@ class FarField {
   }
 
  private:
-  using Series = std::vector<Number, Untouched<Number>>;
+  using Series = Unwritten<Number>;
   struct Families;
 
   [[nodiscard]] std::size_t stride() const { return 2 * static_cast<std::size_t>(padded_); }

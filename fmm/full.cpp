@@ -5,14 +5,18 @@
 #include <cmath>
 #include <utility>
 
+#include "fmm/mutual_cores.hpp"
 #include "tree/split_rule.hpp"
 
 namespace vortree::fmm {
 namespace {
 
 /// Points of a childless cell that near sums and series agree on; the optimum is flat.
-constexpr double even_leaf = 24, even_leaf_fine = 32;
+constexpr double even_leaf = 20, even_leaf_fine = 32;
 constexpr double fine_tolerance = 1e-10;
+
+/// Near sums with cores share what a vector of sources costs among the points of a cell.
+constexpr std::uint32_t cored_capacity = 96;
 
 /// From here on series in single precision are exact enough.
 constexpr double coarse_tolerance = 1e-6;
@@ -27,8 +31,11 @@ double leaf_size(const Options& options) {
   return options.tolerance < fine_tolerance ? even_leaf_fine : even_leaf;
 }
 
-Options resolve(Options options) {
-  if (options.capacity == 0) options.capacity = static_cast<std::uint32_t>(2 * leaf_size(options));
+Options resolve(Options options, const Blobs& blobs) {
+  if (options.capacity == 0) {
+    options.capacity =
+        blobs.sigma.empty() ? static_cast<std::uint32_t>(2 * leaf_size(options)) : cored_capacity;
+  }
   options.tolerance = std::max(options.tolerance, least_tolerance);
   return options;
 }
@@ -57,13 +64,13 @@ void tell(const Phase& phase, const char* name) {
 
 /// What a thread needs, kept from slab to slab.
 struct Full::Scratch {
-  MutualNear mutual;
-  NearSources near;
-  Interactions found;
+  MutualNear bare;
+  MutualCores cored;
+  std::vector<tree::Range> runs;
 };
 
 Full::Full(const Blobs& blobs, const Options& options, const Phase& phase)
-    : options_(resolve(options)),
+    : options_(resolve(options, blobs)),
       phase_(phase),
       units_(Units::of(blobs)),
       order_(choose_order(options_)) {
@@ -88,7 +95,7 @@ void Full::grow(const Blobs& blobs) {
   tree::Domain domain = tree::enclose({blobs.x, blobs.y});
   double widest = 0.0;
   for (const double sigma : blobs.sigma) widest = std::max(widest, sigma);
-  const double reach = widest * std::sqrt(std::log(1.0 / options_.tolerance)) * (1 + 1e-9);
+  const double reach = widest * std::sqrt(core_reach2(options_.tolerance)) * (1 + 1e-9);
   const double even =
       domain.side * std::sqrt(leaf_size(options_) / std::max<double>(1.0, blobs.size()));
   domain = tree::enlarge(domain, stretch(domain.side, std::max(even, reach)));
@@ -115,7 +122,7 @@ void Full::list() {
     double& parent = core_[cells[c].parent];
     parent = std::max(parent, core_[c]);
   }
-  const double reach2 = std::log(1.0 / options_.tolerance);
+  const double reach2 = core_reach2(options_.tolerance);
   lists_ = Lists(tree_, few, [&](std::uint32_t a, std::uint32_t b, double gap) {
     return reach2 * std::max(core_[a], core_[b]) <= gap * gap;
   });
@@ -135,7 +142,7 @@ double Full::near_pairs() const {
 
 Acceptance Full::acceptance(bool cored) const {
   return {.order = Order::fixed(order_.most),
-          .reach2 = cored ? std::log(1.0 / options_.tolerance) : 0.0,
+          .reach2 = cored ? core_reach2(options_.tolerance) : 0.0,
           .cores = options_.cores};
 }
 
@@ -180,23 +187,11 @@ void Full::add_far(tree::Range slab, double* u, double* v) const {
 }
 
 void Full::add_cored(tree::Range slab, Scratch& scratch, double* u, double* v) const {
-  const Acceptance accepted = acceptance(true);
-  with_pair(options_.cores, coarse(options_), [&]<class Pair>() {
-    for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
-      const std::uint32_t first = leaves_.start[leaf];
-      const NearTargets targets{&leaves_.points.x[first],
-                                &leaves_.points.y[first],
-                                &leaves_.points.core[first],
-                                u + first,
-                                v + first,
-                                leaves_.size[leaf]};
-      const TargetBox box = around(targets);
-      scratch.found.clear();
-      near_runs(leaf, scratch.found.cored);
-      scratch.near.pack(leaves_.points, leaves_.gamma, box, accepted, scratch.found);
-      scratch.near.sum<Pair>(box, targets, coarse(options_));
-    }
-  });
+  const tree::Range places = leaves_.places(slab);
+  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+    near_runs(leaf, scratch.runs);
+    scratch.cored.add(leaf, places, scratch.runs, u, v);
+  }
 }
 
 void Full::velocity(std::span<double> u, std::span<double> v) const {
@@ -206,7 +201,8 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
   const auto order = tree_.order();
 #pragma omp parallel
   {
-    Scratch scratch;
+    Scratch scratch{
+        {}, {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)}, {}};
 #pragma omp for schedule(dynamic)
     for (std::size_t s = 0; s < slabs_.size(); ++s) {
       const tree::Range slab = slabs_[s], places = leaves_.places(slab);
@@ -217,7 +213,7 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
       if (leaves_.cored()) {
         add_cored(slab, scratch, all_u.data(), all_v.data());
       } else {
-        scratch.mutual.add(tree_, lists_, leaves_, slab, all_u.data(), all_v.data());
+        scratch.bare.add(tree_, lists_, leaves_, slab, all_u.data(), all_v.data());
       }
       add_far(slab, all_u.data(), all_v.data());
       units_.to_velocity(slab_u);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -46,6 +48,18 @@ struct TargetBox {
   double x, y, half_x, half_y, core;
 };
 
+/// r^2/S from which on a core counts as nothing:
+///
+///   reach2 = ln(1/(4 tolerance)), at least 1
+///
+/// A pair left out is wrong by exp(-r^2/S) <= 4 tolerance of itself at the very edge, R, and
+/// sources of density n farther out err by (n/(4 pi))^(1/2) exp(-R^2/S) S^(1/2)/(2R) together, if
+/// of random sign, where the velocity itself is (n ln(L/S^(1/2))/(2 pi))^(1/2) in a cloud of size
+/// L: that is under tolerance/4; even sheets of one sign cancel.
+[[nodiscard]] inline double core_reach2(double tolerance) {
+  return std::max(1.0, std::log(0.25 / tolerance));
+}
+
 /// When two cells may meet.
 ///
 /// order    the ratio (cell radius)/(distance from its centre to the box) up to which it converges
@@ -55,7 +69,6 @@ struct Acceptance {
   double reach2 = 0;
   Cores cores = Cores::source;
 
-  /// A tolerance of tol asks reach2 = ln(1/tol): beyond, exp(-r^2/S) <= tol.
   [[nodiscard]] double squared_reach(double source_core, double target_core) const {
     return reach2 * (cores == Cores::source ? source_core : 0.5 * (source_core + target_core));
   }

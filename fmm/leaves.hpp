@@ -7,8 +7,8 @@
 #include "fmm/blobs.hpp"
 #include "fmm/cells.hpp"
 #include "fmm/deep_tree.hpp"
-#include "fmm/reals.hpp"
 #include "fmm/units.hpp"
+#include "tree/memory.hpp"
 
 namespace vortree::fmm {
 

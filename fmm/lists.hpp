@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fmm/deep_tree.hpp"
+#include "tree/memory.hpp"
 
 namespace vortree::fmm {
 
@@ -140,11 +141,11 @@ class Lists {
 
   static constexpr int childless_bit = 9, leafy_bit = 10, sparse_bit = 11;
 
-  std::vector<Neighbors> neighbors_;
-  std::vector<std::array<std::int32_t, 4>> children_;
-  std::vector<std::uint16_t> marks_;  // bits: open to neighbors 0 .. 8, and the above
-  std::vector<std::uint8_t> level_;
-  std::vector<tree::Range> leaves_;
+  Unwritten<Neighbors> neighbors_;
+  Unwritten<std::array<std::int32_t, 4>> children_;
+  Unwritten<std::uint16_t> marks_;  // bits: open to neighbors 0 .. 8, and the above
+  Unwritten<std::uint8_t> level_;
+  Unwritten<tree::Range> leaves_;
   Rows x_, w_;
   Rows x_met_;  // X of sparse cells: met point by point
   Rows finer_;  // by rank: members of U that are finer

@@ -42,7 +42,7 @@ class Multipoles {
 
   int order_ = 0;
   Reals terms_;
-  std::vector<float, Untouched<float>> singles_;
+  Unwritten<float> singles_;
 };
 
 /// The length a cell's series is scaled by: its radius, or where that is nothing, next to nothing.

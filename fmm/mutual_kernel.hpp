@@ -89,8 +89,10 @@ template <bool both>
 inline void meet_all(const MutualPoints& points, const MutualCell& cell,
                      std::span<const std::uint32_t> block) {
   std::size_t k = 0;
-  for (; block.size() - k >= 5 || block.size() - k == 3; k += 3) {
-    meet_blocks<both, 3>(points, cell, &block[k]);
+  if constexpr (registers >= 32) {  // as many as three blocks fill
+    for (; block.size() - k >= 5 || block.size() - k == 3; k += 3) {
+      meet_blocks<both, 3>(points, cell, &block[k]);
+    }
   }
   for (; block.size() - k >= 2; k += 2) meet_blocks<both, 2>(points, cell, &block[k]);
   if (k < block.size()) meet_blocks<both, 1>(points, cell, &block[k]);

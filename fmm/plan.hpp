@@ -21,7 +21,8 @@ namespace vortree::fmm {
 ///
 /// error    ||u - u_exact||_2 <= tolerance ||u_exact||_2, and 99 % of the targets within
 ///          tolerance * sum_j |contribution of j|                  (tests/fmm/tolerance_sweep.cpp)
-///          Cells meet by series only where no core shows any more: gap >= sqrt(S ln(1/tolerance)).
+///          Cells meet by series only where no core shows any more: gap >= sqrt(S ln(1/(4
+///          tolerance))).
 /// method   Method::fmm in O(n). Where wide cores lie among narrow ones, so that most cells would
 ///          have to meet point by point, it gives way to Method::boxes, which guards every source
 ///          by itself.

@@ -35,7 +35,7 @@ class MutualNear {
 
  private:
   std::vector<std::uint32_t> inside_, outside_;  // first places of blocks
-  std::vector<Lanes, Untouched<Lanes>> u_, v_;
+  Unwritten<Lanes> u_, v_;
 };
 
 }  // namespace vortree::fmm

@@ -56,11 +56,33 @@ inline Singles fill(float value) {
   return value - Singles{};
 }
 
+/// a > b ? a : b and a < b ? a : b.
 inline Lanes larger(Lanes a, Lanes b) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  return (Lanes)_mm512_max_pd((__m512d)a, (__m512d)b);
+#elif defined(__AVX__)
+  return (Lanes)_mm256_max_pd((__m256d)a, (__m256d)b);
+#else
   return a > b ? a : b;
+#endif
 }
 inline Lanes smaller(Lanes a, Lanes b) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  return (Lanes)_mm512_min_pd((__m512d)a, (__m512d)b);
+#elif defined(__AVX__)
+  return (Lanes)_mm256_min_pd((__m256d)a, (__m256d)b);
+#else
   return a < b ? a : b;
+#endif
+}
+inline Singles smaller(Singles a, Singles b) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  return (Singles)_mm512_min_ps((__m512)a, (__m512)b);
+#elif defined(__AVX__)
+  return (Singles)_mm256_min_ps((__m256)a, (__m256)b);
+#else
+  return a < b ? a : b;
+#endif
 }
 inline Lanes magnitude(Lanes a) {
   return (Lanes)((Bits)a & INT64_MAX);
@@ -93,6 +115,15 @@ inline Lanes high(Singles a) {
   HalfSingles half;
   std::memcpy(&half, reinterpret_cast<const char*>(&a) + sizeof half, sizeof half);
   return __builtin_convertvector(half, Lanes);
+}
+
+/// Two vectors of doubles as one of floats.
+inline Singles narrowed(Lanes first, Lanes second) {
+  const HalfSingles half[2] = {__builtin_convertvector(first, HalfSingles),
+                               __builtin_convertvector(second, HalfSingles)};
+  Singles a;
+  std::memcpy(&a, half, sizeof a);
+  return a;
 }
 
 inline double sum(Singles a) {

@@ -51,8 +51,8 @@ inline constexpr double largest_coordinate = 0x1p1020;
 /// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), step 1
 [[nodiscard]] Domain enclose(Points points);
 
-/// The same lower left corner with a side at least `factor` times as long, rounded up as above: lets
-/// the cells of some level be of a wished size.
+/// The same lower left corner with a side at least `factor` times as long, rounded up as above:
+/// lets the cells of some level be of a wished size.
 ///
 /// factor   >= 1
 [[nodiscard]] Domain enlarge(const Domain& domain, double factor);

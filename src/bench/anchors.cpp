@@ -4,8 +4,8 @@
 #include <chrono>
 #include <vector>
 
-#include "fmm/reals.hpp"
 #include "tree/lanes.hpp"
+#include "tree/memory.hpp"
 
 namespace vortree::bench {
 namespace {
@@ -29,7 +29,7 @@ constexpr int rounds = 2'000'000;
 #ifdef __AVX512F__
 constexpr int chains = 16;
 #else
-constexpr int chains = 6;
+constexpr int chains = 10;
 #endif
 
 template <class Step>
@@ -59,7 +59,7 @@ void divide() {
 
 double triad_rate(int threads) {
   const std::size_t n = std::size_t{16} << 20;  // three arrays of 128 MB
-  fmm::Reals a(n), b(n), c(n);
+  Reals a(n), b(n), c(n);
   const auto work = [&] {
 #pragma omp parallel for simd num_threads(threads) schedule(static)
     for (std::size_t i = 0; i < n; ++i) a[i] = b[i] + 3.0 * c[i];

@@ -34,7 +34,7 @@ Convolution::Convolution(const Size& size, bool measured)
     : size_(size), row_((static_cast<std::size_t>(size.px) + 2 + 7) / 8 * 8) {
   const unsigned care = measured ? FFTW_MEASURE : FFTW_ESTIMATE;
   fftw_set_timelimit(longest_planning);
-  fmm::Reals values(size.px + 2), row(row_), column(column_length(size.py));
+  Reals values(size.px + 2), row(row_), column(column_length(size.py));
   fftw_complex *along_row = complex(row.data()), *along = complex(column.data());
   row_forth_.reset(fftw_plan_dft_r2c_1d(size.px, values.data(), along_row, care));
   row_back_.reset(fftw_plan_dft_c2r_1d(size.px, along_row, values.data(), care));
@@ -56,7 +56,7 @@ void Convolution::velocity(const VortexSpectrum& vortex, const Factors& factors,
 void Convolution::transform_rows(std::size_t stride, std::span<const double> gamma) {
 #pragma omp parallel
   {
-    fmm::Reals values(size_.px + 2);
+    Reals values(size_.px + 2);
     std::ranges::fill(values, 0.0);
 #pragma omp for schedule(static)
     for (int m = 0; m < size_.ny; ++m) {
@@ -66,10 +66,10 @@ void Convolution::transform_rows(std::size_t stride, std::span<const double> gam
   }
 }
 
-void Convolution::restore_rows(fmm::Reals& spectrum, std::size_t stride, std::span<double> values) {
+void Convolution::restore_rows(Reals& spectrum, std::size_t stride, std::span<double> values) {
 #pragma omp parallel
   {
-    fmm::Reals row(size_.px + 2);
+    Reals row(size_.px + 2);
 #pragma omp for schedule(static)
     for (int m = 0; m < size_.ny; ++m) {
       fftw_execute_dft_c2r(row_back_.get(), complex(&spectrum[m * row_]), row.data());
@@ -83,7 +83,7 @@ void Convolution::filter_columns(const VortexSpectrum& vortex, const Factors& fa
   const std::size_t length = column_length(size_.py);
 #pragma omp parallel
   {
-    fmm::Reals along_x(columns_at_once * length), along_y(columns_at_once * length);
+    Reals along_x(columns_at_once * length), along_y(columns_at_once * length);
 #pragma omp for schedule(static)
     for (int first = 0; first < columns; first += columns_at_once) {
       const int some = std::min(columns_at_once, columns - first);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/vortex_spectrum.hpp"
-#include "fmm/reals.hpp"
+#include "tree/memory.hpp"
 
 namespace vortree::bench {
 
@@ -50,13 +50,13 @@ class Convolution {
 
   void transform_rows(std::size_t stride, std::span<const double> gamma);
   void filter_columns(const VortexSpectrum& vortex, const Factors& factors);
-  void restore_rows(fmm::Reals& spectrum, std::size_t stride, std::span<double> values);
+  void restore_rows(Reals& spectrum, std::size_t stride, std::span<double> values);
   void filter_column(int column, const VortexSpectrum& vortex, const Factors& factors,
                      double* along_x, double* along_y) const;
 
   Size size_;
   std::size_t row_;  // doubles of a row of a spectrum
-  fmm::Reals spectrum_, other_;
+  Reals spectrum_, other_;
   Transform row_forth_, row_back_, column_forth_, column_back_;
 };
 

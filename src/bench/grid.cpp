@@ -191,7 +191,7 @@ GridWork velocity_grid(const fmm::Blobs& blobs, const fmm::Targets& targets,
                                   factors(layout.size.py, core, window)};
 
   begin("spread");
-  fmm::Reals grid(layout.lattice.values()), grid_v(layout.lattice.values());
+  Reals grid(layout.lattice.values()), grid_v(layout.lattice.values());
   const Visitors from = visitors({blobs.x, blobs.y}, layout.lattice, of.width);
   spread(from, blobs.gamma, window, layout.lattice, grid);
 

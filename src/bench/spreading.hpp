@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/window.hpp"
-#include "fmm/reals.hpp"
+#include "tree/memory.hpp"
 #include "tree/points.hpp"
 
 namespace vortree::bench {
@@ -22,7 +22,7 @@ struct Lattice {
 
 /// Points in the order in which they visit a lattice: by strips of rows, in a strip by columns.
 struct Visitors {
-  fmm::Reals x, y;                   // in grid spacings
+  Reals x, y;                        // in grid spacings
   std::vector<std::uint32_t> index;  // visitor j is point index[j]
   std::vector<std::size_t> strips;   // visitors strips[s] .. strips[s + 1] - 1 are of strip s
 };

@@ -1,10 +1,11 @@
+#include "fmm/interactions.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "fmm/cells.hpp"
-#include "fmm/interactions.hpp"
 #include "point_sets.hpp"
 #include "tree/build_reverse.hpp"
 #include "tree/split_rule.hpp"
