@@ -4,6 +4,7 @@
 
 #include "fmm/mutual_core_kernel.hpp"
 #include "point_sets.hpp"
+#include "tree/memory.hpp"
 
 using namespace vortree;
 
