@@ -97,18 +97,19 @@ class Sorter {
   void run(Key differing, const IndexOf& index_of) {
     const std::size_t n = keys_.size();
     const int bits = (static_cast<int>(std::bit_width(n)) + 2) / 2;
+    const Digit digit(differing, std::min(most_first_bits, bits));
     const auto ends = part(
-        n, Digit(differing, std::min(most_first_bits, bits)),
-        [&](std::size_t i) { return keys_[i]; },
+        n, digit, [&](std::size_t i) { return keys_[i]; },
         [&](std::size_t i, std::uint32_t to) {
           records_[to] = {keys_[i], index_of(i)};
         });
     collect(0, ends);
+    const Key left = differing & ((Key{1} << digit.low) - 1);
 #pragma omp parallel if (n > long_run)
     {
       RunSort sort_run;
 #pragma omp for schedule(dynamic, 4)
-      for (std::size_t b = 0; b < buckets_.size(); ++b) sort(buckets_[b], sort_run);
+      for (std::size_t b = 0; b < buckets_.size(); ++b) sort(buckets_[b], left, sort_run);
     }
   }
 
@@ -144,9 +145,11 @@ class Sorter {
     }
   }
 
-  void sort(Range bucket, RunSort& sort_run) {
-    const Key differing = differing_bits(records(bucket));
-    if (static_cast<int>(std::bit_width(differing)) <= RunSort::most_bits(bucket.size())) {
+  // `differing` bits may be; whether they do is only asked if they are too many.
+  void sort(Range bucket, Key differing, RunSort& sort_run) {
+    const int most = RunSort::most_bits(bucket.size());
+    if (std::bit_width(differing) > most) differing = differing_bits(records(bucket));
+    if (std::bit_width(differing) <= most) {
       sort_run(records(bucket), differing, keys_.subspan(bucket.first, bucket.size()),
                index_.subspan(bucket.first, bucket.size()));
       return;
@@ -155,7 +158,7 @@ class Sorter {
     for (const std::uint32_t end : part_again(bucket, differing)) {
       const Range smaller{first, bucket.first + end};
       first = smaller.last;
-      if (!smaller.empty()) sort(smaller, sort_run);
+      if (!smaller.empty()) sort(smaller, differing, sort_run);
     }
   }
 

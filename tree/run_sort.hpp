@@ -28,7 +28,7 @@ class RunSort {
 
   /// Writes a run in order of its keys.
   ///
-  /// differing    bits in which any two keys of the run differ; at most most_bits of them, from the
+  /// differing    no two keys of the run differ in other bits; at most most_bits of them, from the
   ///              highest to the lowest
   /// keys, index  as long as the run
   void operator()(std::span<const Record> run, Key differing, std::span<Key> keys,
