@@ -1,37 +1,34 @@
 #include "tree/build_reverse.hpp"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "tree/grown.hpp"
+#include "tree/pieces.hpp"
 #include "tree/search_kernel.hpp"
 
 namespace vortree::tree {
 
 namespace {
 
-struct Leaf {
+// A childless cell by its points.
+struct Run {
   int level;
-  Range points;
+  std::uint32_t last;
 };
 
-// The level of the smallest cell that holds both a point and the one before it; -1 if there is no
-// such cell.
-int meeting_level(const std::vector<Key>& keys, std::uint32_t point) {
-  return point == 0 || point == keys.size() ? -1 : common_level(keys[point - 1], keys[point]);
-}
-
+// Finds childless cells by climbing, for any rule.
 class Climber {
  public:
   Climber(const MortonOrder& order, const SplitRule& must_split)
       : keys_(order.keys), domain_(order.domain), finest_(order.finest), must_split_(must_split) {}
 
-  // The childless cell that begins at point `first`, given that all points before it are in other
-  // such cells. `start` is a level to begin the climb at, if the rule lets it.
-  [[nodiscard]] Leaf climb(std::uint32_t first, int start) const {
-    int refused = meeting_level(keys_, first);
+  // The childless cell that begins at point `first`, which meets the point before at level `met`.
+  // `start` is a level to begin the climb at, if the rule lets it.
+  [[nodiscard]] Run climb(std::uint32_t first, int met, int start) const {
+    int refused = met;
     Block here = footing(first, std::max(start, refused + 1), refused);
     for (int above = meeting_level(keys_, here.points.last); above > refused;
          above = meeting_level(keys_, here.points.last)) {
@@ -43,10 +40,32 @@ class Climber {
       }
     }
     const int joined = std::max(refused, meeting_level(keys_, here.points.last));
-    return {coarsest(joined + 1, here), here.points};
+    return {coarsest(joined + 1, here), here.points.last};
+  }
+
+  // Where the childless cell that holds a point ends.
+  [[nodiscard]] std::uint32_t end_of_cell(std::uint32_t point) const {
+    int low = 0, high = finest_;
+    while (low < high) {
+      const int middle = (low + high) / 2;
+      if (must_split_(around(point, middle))) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return around(point, low).points.last;
   }
 
  private:
+  // The cell of a level that holds a point.
+  [[nodiscard]] Block around(std::uint32_t point, int level) const {
+    const Range all{0, static_cast<std::uint32_t>(keys_.size())};
+    const Key cell = ancestor(keys_[point], level);
+    const std::uint32_t first = kernel::lower_bound(keys_, all, first_descendant(cell, level));
+    return grown({level, 0, {first, first}}, level);
+  }
+
   // The cell of a level that begins with the points of a block inside it.
   [[nodiscard]] Block grown(const Block& block, int level) const {
     const Key cell = ancestor(keys_[block.points.first], level);
@@ -58,6 +77,7 @@ class Climber {
   // A cell that begins at `first` and need not split: of the given level or below, tried in steps
   // that double, down to the finest. Sets `refused` to the last level at which it had to split.
   [[nodiscard]] Block footing(std::uint32_t first, int level, int& refused) const {
+    level = std::min(level, finest_);
     for (int step = 1;; step *= 2) {
       const Block block = grown({level, 0, {first, first}}, level);
       if (level == finest_ || !must_split_(block)) {
@@ -75,7 +95,7 @@ class Climber {
     const auto refuses = [&](int level) {
       return must_split_({level, domain_.cell_side(level), block.points});
     };
-    if (low == high || !refuses(low)) {
+    if (low >= high || !refuses(low)) {
       return low;
     }
     ++low;
@@ -96,86 +116,83 @@ class Climber {
   const SplitRule& must_split_;
 };
 
-std::vector<Leaf> childless_cells(const MortonOrder& order, const SplitRule& must_split) {
-  const Climber climber(order, must_split);
+// Crowding needs no climb: a cell that begins at a point is crowded if it holds the one n_ctrl
+// places on, and it must not hold the one before.
+class Reacher {
+ public:
+  Reacher(const MortonOrder& order, Crowded rule)
+      : keys_(order.keys), finest_(order.finest), n_ctrl_(rule.n_ctrl) {}
+
+  [[nodiscard]] Run climb(std::uint32_t first, int met, int /*start*/) const {
+    const auto n = static_cast<std::uint32_t>(keys_.size());
+    const bool many = n - first > n_ctrl_;
+    const int crowded = many ? common_level(keys_[first], keys_[first + n_ctrl_]) : -1;
+    const int level = std::min(finest_, 1 + std::max(met, crowded));
+    const Key beyond = first_descendant(ancestor(keys_[first], level) + 1, level);
+    const std::uint32_t reach = many ? first + n_ctrl_ : n;
+    const std::uint32_t last = kernel::lower_bound(keys_, {first, reach}, beyond);
+    // Only at the finest level there may be more.
+    return {level, last < reach ? last : kernel::gallop(keys_, last, beyond)};
+  }
+
+  [[nodiscard]] std::uint32_t end_of_cell(std::uint32_t point) const {
+    const std::uint32_t before = point - std::min(point, n_ctrl_);
+    const auto n = static_cast<std::uint32_t>(keys_.size());
+    int crowded = -1;
+    for (std::uint32_t j = before; j <= point && n - j > n_ctrl_; ++j) {
+      crowded = std::max(crowded, common_level(keys_[j], keys_[j + n_ctrl_]));
+    }
+    const int level = std::min(finest_, 1 + crowded);
+    return kernel::gallop(keys_, point, first_descendant(ancestor(keys_[point], level) + 1, level));
+  }
+
+ private:
+  const std::vector<Key>& keys_;
+  int finest_;
+  std::uint32_t n_ctrl_;
+};
+
+// The childless cells that begin in some piece of the points.
+template <class Finder>
+std::vector<Leaf> leaves_in(Range points, const MortonOrder& order, const Finder& finder) {
   std::vector<Leaf> leaves;
   int level = order.finest;
-  for (std::uint32_t first = 0; first < order.keys.size(); first = leaves.back().points.last) {
-    leaves.push_back(climber.climb(first, level));
-    level = leaves.back().level;
+  std::uint32_t first = points.first == 0 ? 0 : finder.end_of_cell(points.first - 1);
+  while (first < points.last) {
+    const int met = meeting_level(order.keys, first);
+    const Run run = finder.climb(first, met, level);
+    level = run.level;
+    leaves.push_back({first, static_cast<std::int16_t>(met), static_cast<std::int16_t>(level)});
+    first = run.last;
   }
   return leaves;
 }
 
-// Walking the childless cells in Morton order, each begins new cells from just below the level at
-// which it meets its predecessor down to its own; all others of its ancestors are there already.
-class Assembly {
- public:
-  Assembly(const std::vector<Key>& keys, const std::vector<Leaf>& leaves)
-      : keys_(keys), leaves_(leaves) {}
-
-  [[nodiscard]] std::vector<Cell> run() {
-    std::vector<Cell> cells(place_levels());
-    int deepest = -1;
-    for (const Leaf& leaf : leaves_) {
-      const int shared = meeting_level(keys_, leaf.points.first);
-      close(cells, shared + 1, deepest, leaf.points.first);
-      for (int level = shared + 1; level <= leaf.level; ++level) {
-        open(cells, level, leaf.points.first);
-      }
-      deepest = leaf.level;
-    }
-    close(cells, 0, deepest, static_cast<std::uint32_t>(keys_.size()));
-    return cells;
-  }
-
- private:
-  // Sets next_[l] to the number of the first cell of level l and returns the number of all cells.
-  std::size_t place_levels() {
-    std::array<std::int64_t, max_level + 2> change{};
-    for (const Leaf& leaf : leaves_) {
-      ++change[meeting_level(keys_, leaf.points.first) + 1];
-      --change[leaf.level + 1];
-    }
-    std::int64_t in_level = 0, total = 0;
-    for (int level = 0; level <= max_level; ++level) {
-      next_[level] = static_cast<std::uint32_t>(total);
-      in_level += change[level];
-      total += in_level;
-    }
-    return static_cast<std::size_t>(total);
-  }
-
-  void open(std::vector<Cell>& cells, int level, std::uint32_t point) {
-    const std::uint32_t cell = path_[level] = next_[level]++;
-    cells[cell] = {ancestor(keys_[point], level), level, -1, {}, {point, point}};
-    if (level > 0) {
-      Cell& parent = cells[path_[level - 1]];
-      cells[cell].parent = static_cast<std::int32_t>(path_[level - 1]);
-      parent.children = {parent.childless() ? cell : parent.children.first, cell + 1};
-    }
-  }
-
-  void close(std::vector<Cell>& cells, int first_level, int last_level, std::uint32_t end) const {
-    for (int level = first_level; level <= last_level; ++level) {
-      cells[path_[level]].points.last = end;
-    }
-  }
-
-  const std::vector<Key>& keys_;
-  const std::vector<Leaf>& leaves_;
-  std::array<std::uint32_t, max_level + 1> next_{}, path_{};
-};
+template <class Finder>
+Leaves find_leaves(const MortonOrder& order, const Finder& finder, std::size_t pieces) {
+  const std::size_t n = order.keys.size();
+  Leaves leaves(pieces);
+  for_each_piece(leaves.size(), [&](std::size_t p) {
+    leaves[p] = leaves_in(piece(n, p, leaves.size()), order, finder);
+  });
+  return leaves;
+}
 
 }  // namespace
+
+Grown grow_reverse(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
+  const auto* crowded = must_split.target<Crowded>();
+  return assemble(order.keys, crowded ? find_leaves(order, Reacher(order, *crowded), pieces)
+                                      : find_leaves(order, Climber(order, must_split), pieces));
+}
 
 Quadtree build_reverse(MortonOrder order, const SplitRule& must_split) {
   if (!must_split) {
     throw std::invalid_argument("build_reverse: the split rule is empty");
   }
-  const std::vector<Leaf> leaves = childless_cells(order, must_split);
-  std::vector<Cell> cells = Assembly(order.keys, leaves).run();
-  return Quadtree(std::move(order), std::move(cells));
+  check_order(order);
+  Grown grown = grow_reverse(order, must_split, pieces_of(order.keys.size()));
+  return std::move(grown).over(std::move(order));
 }
 
 }  // namespace vortree::tree

@@ -1,27 +1,16 @@
 #include "tree/quadtree.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "tree/grown.hpp"
+
 namespace vortree::tree {
 
 namespace {
-
-void check_order(const MortonOrder& order) {
-  if (order.keys.size() != order.index.size()) {
-    throw std::invalid_argument("Quadtree: " + std::to_string(order.keys.size()) + " keys but " +
-                                std::to_string(order.index.size()) + " indices");
-  }
-  if (order.finest < 0 || order.finest > max_level) {
-    throw std::invalid_argument("Quadtree: finest level is " + std::to_string(order.finest) +
-                                "; it must be in 0.." + std::to_string(max_level));
-  }
-  assert(std::is_sorted(order.keys.begin(), order.keys.end()));
-}
 
 bool inside(const Cell& cell, const std::vector<Key>& keys) {
   return !cell.points.empty() && cell.points.last <= keys.size() &&
@@ -86,30 +75,6 @@ class Check {
   const MortonOrder& order_;
   const std::vector<Cell>& cells_;
 };
-
-// First the number of childless cells under each cell, from the leaves up; then the place of the
-// first of them, from the root down.
-std::vector<std::uint32_t> rank_childless(const std::vector<Cell>& cells) {
-  std::vector<std::uint32_t> place(cells.size(), 0);
-  for (std::size_t c = cells.size(); c-- > 0;) {
-    place[c] += cells[c].childless();
-    if (cells[c].parent >= 0) {
-      place[cells[c].parent] += place[c];
-    }
-  }
-  std::vector<std::uint32_t> ranked(cells.empty() ? 0 : place[0]);
-  std::uint32_t next = 0;
-  for (std::uint32_t c = 0; c < cells.size(); ++c) {
-    next = c == 0 ? 0 : place[c];
-    if (cells[c].childless()) {
-      ranked[next] = c;
-    }
-    for (std::uint32_t k = cells[c].children.first; k < cells[c].children.last; ++k) {
-      next += std::exchange(place[k], next);
-    }
-  }
-  return ranked;
-}
 
 std::vector<std::uint32_t> find_levels(const std::vector<Cell>& cells) {
   std::vector<std::uint32_t> first;

@@ -43,8 +43,7 @@ class Quadtree {
  public:
   Quadtree() = default;
 
-  /// The tree over `order` with the given cells in level order. Builders end here, and the promises
-  /// above are checked.
+  /// The tree over `order` with the given cells in level order. The promises above are checked.
   ///
   /// cost    O(cells)
   /// throws  std::invalid_argument if keys and index of the order differ in size, or naming the
@@ -76,6 +75,8 @@ class Quadtree {
   bool operator==(const Quadtree&) const = default;
 
  private:
+  friend struct Grown;
+
   MortonOrder order_;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> level_first_{0};

@@ -1,5 +1,7 @@
 #include "tree/radix_sort.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,216 +12,189 @@
 #include <string>
 #include <utility>
 
+#include "tree/points.hpp"
+#include "tree/run_sort.hpp"
+
 namespace vortree::tree {
 
 namespace {
 
-constexpr int digit_bits = 8;
-constexpr int most_digits = 4;
-constexpr std::size_t buckets = std::size_t{1} << digit_bits;
-using Histogram = std::array<std::uint32_t, buckets>;
+// More buckets than lines of the nearest cache make writing to them slow.
+constexpr int most_first_bits = 10, next_bits = 8;
 
-// Below this length, insertion is faster than counting.
-constexpr std::size_t short_run = 32;
+// From this length on, threads share a pass.
+constexpr std::size_t long_run = 30000;
+constexpr std::size_t portions = 16;
 
-// From this length on, pairs are parted among threads.
-constexpr std::size_t long_run = 50000;
-constexpr std::size_t portions = 8;
-
-struct Pairs {
-  std::span<Key> keys;
-  std::span<std::uint32_t> index;
-  [[nodiscard]] std::size_t size() const { return keys.size(); }
-  [[nodiscard]] Pairs part(std::size_t first, std::size_t last) const {
-    return {keys.subspan(first, last - first), index.subspan(first, last - first)};
-  }
-};
-
-std::size_t digit(Key key, int low) {
-  return key >> low & (buckets - 1);
-}
-
-// A window of bits: so many digits from bit `low` on.
-struct Window {
-  int low, digits;
-};
-
-// As many of the leading bits that differ as leave few keys with the same.
-Window leading_window(Key differing, std::size_t n) {
-  const int wished = static_cast<int>(std::bit_width(n)) + digit_bits;
-  const int digits = std::min(most_digits, (wished + digit_bits - 1) / digit_bits);
-  return {std::max(0, static_cast<int>(std::bit_width(differing)) - digits * digit_bits), digits};
-}
-
-template <int digits>
-void count_digits(std::span<const Key> keys, int low, Histogram* counts) {
-  for (const Key key : keys) {
-    for (int d = 0; d < digits; ++d) {
-      ++counts[d][digit(key, low + d * digit_bits)];
-    }
-  }
-}
-
-void scatter(Pairs from, Pairs to, int low, Histogram& counts) {
-  std::exclusive_scan(counts.begin(), counts.end(), counts.begin(), std::uint32_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const std::uint32_t place = counts[digit(from.keys[i], low)]++;
-    to.keys[place] = from.keys[i];
-    to.index[place] = from.index[i];
-  }
-}
-
-void copy(Pairs from, Pairs to) {
-  std::copy(from.keys.begin(), from.keys.end(), to.keys.begin());
-  std::copy(from.index.begin(), from.index.end(), to.index.begin());
-}
-
-// Sorts by a window of bits, into `to`; `from` is overwritten.
-template <int digits>
-void sort_window(Pairs from, Pairs to, int low) {
-  std::array<Histogram, digits> counts{};
-  count_digits<digits>(from.keys, low, counts.data());
-  bool done = false;  // is the latest order in `to`?
-  for (int d = 0; d < digits; ++d) {
-    const int bit = low + d * digit_bits;
-    if (counts[d][digit(from.keys[0], bit)] != from.size()) {
-      scatter(done ? to : from, done ? from : to, bit, counts[d]);
-      done = !done;
-    }
-  }
-  if (!done) copy(from, to);
-}
-
-void insert_in_order(Pairs pairs) {
-  for (std::size_t i = 1; i < pairs.size(); ++i) {
-    const Key key = pairs.keys[i];
-    const std::uint32_t index = pairs.index[i];
-    std::size_t j = i;
-    for (; j > 0 && pairs.keys[j - 1] > key; --j) {
-      pairs.keys[j] = pairs.keys[j - 1];
-      pairs.index[j] = pairs.index[j - 1];
-    }
-    pairs.keys[j] = key;
-    pairs.index[j] = index;
-  }
-}
-
-void sort_window(Pairs from, Pairs to, Window window) {
-  switch (window.digits) {
-    case 1:
-      return sort_window<1>(from, to, window.low);
-    case 2:
-      return sort_window<2>(from, to, window.low);
-    case 3:
-      return sort_window<3>(from, to, window.low);
-    default:
-      return sort_window<most_digits>(from, to, window.low);
-  }
-}
+// A bucket is large if it alone would keep a thread busy for so much of its share.
+constexpr std::size_t large_part = 4;
 
 Key differing_bits(std::span<const Key> keys) {
   Key differing = 0;
-  for (const Key key : keys) {
-    differing |= key ^ keys[0];
-  }
+  const Key first = keys[0];
+#pragma omp parallel for schedule(static) reduction(| : differing) if (keys.size() > long_run)
+  for (std::size_t i = 0; i < keys.size(); ++i) differing |= keys[i] ^ first;
   return differing;
 }
 
-void sort(Pairs from, Pairs to);
-
-// Sorts every run of pairs whose keys agree from bit `agreed` upwards by the bits below.
-void sort_runs(Pairs pairs, Pairs spare, int agreed) {
-  for (std::size_t first = 0, last = 0; first < pairs.size(); first = last) {
-    const Key shared = pairs.keys[first] >> agreed;
-    for (last = first + 1; last < pairs.size() && pairs.keys[last] >> agreed == shared;) {
-      ++last;
-    }
-    if (last - first > short_run) {
-      const Pairs run = pairs.part(first, last), room = spare.part(first, last);
-      copy(run, room);
-      sort(room, run);
-    } else if (last - first > 1) {
-      insert_in_order(pairs.part(first, last));
-    }
-  }
+Key differing_bits(std::span<const Record> records) {
+  Key differing = 0;
+  for (const Record& record : records) differing |= record.key ^ records[0].key;
+  return differing;
 }
 
-// Sorts into `to`; `from` is overwritten.
-void sort(Pairs from, Pairs to) {
-  const Key differing = differing_bits(from.keys);
-  if (differing == 0 || from.size() <= short_run) {
-    copy(from, to);
-    if (differing != 0) insert_in_order(to);
-    return;
-  }
-  const Window window = leading_window(differing, from.size());
-  sort_window(from, to, window);
-  if (std::countr_zero(differing) < window.low) {
-    sort_runs(to, from, window.low);
-  }
-}
+// So many bits below the highest one that differs.
+struct Digit {
+  int low, bits;
+  Digit(Key differing, int most)
+      : low(std::max(0, static_cast<int>(std::bit_width(differing)) - most)),
+        bits(std::min(most, static_cast<int>(std::bit_width(differing)))) {}
+  [[nodiscard]] std::size_t count() const { return std::size_t{1} << bits; }
+  [[nodiscard]] std::size_t operator()(Key key) const { return key >> low & (count() - 1); }
+};
 
-// Parts the pairs by their highest differing digit, for threads to sort what each bucket holds:
-// that fits their caches, too. The pairs are parted in portions, one after the other, so that the
-// order is kept; the result depends on neither.
-void sort_by_buckets(Pairs pairs, Pairs spare, Key differing) {
-  const int low = std::max(0, static_cast<int>(std::bit_width(differing)) - digit_bits);
-  const std::size_t n = pairs.size();
-  std::array<Histogram, portions> place{};
-  const auto begin = [n](std::size_t p) { return n * p / portions; };
-#pragma omp parallel for schedule(static)
-  for (std::size_t p = 0; p < portions; ++p) {
-    for (std::size_t i = begin(p); i < begin(p + 1); ++i) ++place[p][digit(pairs.keys[i], low)];
+// Moves n things to buckets by their digits. Each portion of them counts for itself, so that
+// threads share the work and the order is kept. Returns where each bucket ends.
+template <class KeyOf, class Move>
+std::vector<std::uint32_t> part(std::size_t n, Digit digit, const KeyOf& key_of, const Move& move) {
+  const std::size_t some = n > long_run ? portions : 1;
+  const auto begin = [=](std::size_t p) { return n * p / some; };
+  std::vector<std::uint32_t> places(some * digit.count(), 0);
+#pragma omp parallel for schedule(static) if (some > 1)
+  for (std::size_t p = 0; p < some; ++p) {
+    std::uint32_t* counts = &places[p * digit.count()];
+    for (std::size_t i = begin(p); i < begin(p + 1); ++i) ++counts[digit(key_of(i))];
   }
-  std::array<std::uint32_t, buckets + 1> first{};
+  std::vector<std::uint32_t> ends(digit.count());
   std::uint32_t next = 0;
-  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
-    first[bucket] = next;
-    for (Histogram& counts : place) next += std::exchange(counts[bucket], next);
+  for (std::size_t d = 0; d < digit.count(); ++d) {
+    for (std::size_t p = 0; p < some; ++p) {
+      next += std::exchange(places[p * digit.count() + d], next);
+    }
+    ends[d] = next;
   }
-  first[buckets] = next;
-#pragma omp parallel for schedule(static)
-  for (std::size_t p = 0; p < portions; ++p) {
-    for (std::size_t i = begin(p); i < begin(p + 1); ++i) {
-      const std::uint32_t to = place[p][digit(pairs.keys[i], low)]++;
-      spare.keys[to] = pairs.keys[i];
-      spare.index[to] = pairs.index[i];
+#pragma omp parallel for schedule(static) if (some > 1)
+  for (std::size_t p = 0; p < some; ++p) {
+    std::uint32_t* place = &places[p * digit.count()];
+    for (std::size_t i = begin(p); i < begin(p + 1); ++i) move(i, place[digit(key_of(i))]++);
+  }
+  return ends;
+}
+
+class Sorter {
+ public:
+  Sorter(std::span<Key> keys, std::span<std::uint32_t> index)
+      : keys_(keys),
+        index_(index),
+        spare_(std::make_unique_for_overwrite<Record[]>(keys.size())),
+        records_(spare_.get(), keys.size()) {
+    const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+    large_ = threads == 1 ? keys.size() : std::max(long_run, keys.size() / (threads * large_part));
+  }
+
+  // index_of(i) belongs to key i.
+  template <class IndexOf>
+  void run(Key differing, const IndexOf& index_of) {
+    const std::size_t n = keys_.size();
+    const int bits = (static_cast<int>(std::bit_width(n)) + 2) / 2;
+    const Digit digit(differing, std::min(most_first_bits, bits));
+    const auto ends = part(
+        n, digit, [&](std::size_t i) { return keys_[i]; },
+        [&](std::size_t i, std::uint32_t to) {
+          records_[to] = {keys_[i], index_of(i)};
+        });
+    collect(0, ends);
+    const Key left = differing & ((Key{1} << digit.low) - 1);
+#pragma omp parallel if (n > long_run)
+    {
+      RunSort sort_run;
+#pragma omp for schedule(dynamic, 4)
+      for (std::size_t b = 0; b < buckets_.size(); ++b) sort(buckets_[b], left, sort_run);
     }
   }
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
-    if (first[bucket] == first[bucket + 1]) continue;
-    sort(spare.part(first[bucket], first[bucket + 1]),
-         pairs.part(first[bucket], first[bucket + 1]));
+
+ private:
+  // Parts the bucket anew by the next bits that differ.
+  std::vector<std::uint32_t> part_again(Range bucket, Key differing) {
+    const std::size_t first = bucket.first;
+    const auto ends = part(
+        bucket.size(), Digit(differing, next_bits),
+        [&](std::size_t i) { return records_[first + i].key; },
+        [&](std::size_t i, std::uint32_t to) {
+          keys_[first + to] = records_[first + i].key;
+          index_[first + to] = records_[first + i].index;
+        });
+#pragma omp parallel for schedule(static) if (bucket.size() > long_run)
+    for (std::size_t i = first; i < bucket.last; ++i) records_[i] = {keys_[i], index_[i]};
+    return ends;
   }
-}
+
+  // Notes buckets for threads to share; large ones are parted first.
+  void collect(std::uint32_t begin, const std::vector<std::uint32_t>& ends) {
+    std::uint32_t first = begin;
+    for (const std::uint32_t end : ends) {
+      const Range bucket{first, begin + end};
+      first = bucket.last;
+      if (bucket.empty()) continue;
+      const Key differing = bucket.size() > large_ ? differing_bits(records(bucket)) : 0;
+      if (differing != 0) {
+        collect(bucket.first, part_again(bucket, differing));
+      } else {
+        buckets_.push_back(bucket);
+      }
+    }
+  }
+
+  // `differing` bits may be; whether they do is only asked if they are too many.
+  void sort(Range bucket, Key differing, RunSort& sort_run) {
+    const int most = RunSort::most_bits(bucket.size());
+    if (std::bit_width(differing) > most) differing = differing_bits(records(bucket));
+    if (std::bit_width(differing) <= most) {
+      sort_run(records(bucket), differing, keys_.subspan(bucket.first, bucket.size()),
+               index_.subspan(bucket.first, bucket.size()));
+      return;
+    }
+    std::uint32_t first = bucket.first;
+    for (const std::uint32_t end : part_again(bucket, differing)) {
+      const Range smaller{first, bucket.first + end};
+      first = smaller.last;
+      if (!smaller.empty()) sort(smaller, differing, sort_run);
+    }
+  }
+
+  [[nodiscard]] std::span<const Record> records(Range bucket) const {
+    return records_.subspan(bucket.first, bucket.size());
+  }
+
+  std::span<Key> keys_;
+  std::span<std::uint32_t> index_;
+  std::unique_ptr<Record[]> spare_;
+  std::span<Record> records_;
+  std::vector<Range> buckets_;
+  std::size_t large_;
+};
 
 }  // namespace
+
+std::vector<std::uint32_t> radix_sort(std::vector<Key>& keys) {
+  std::vector<std::uint32_t> index(keys.size());
+  const Key differing = keys.empty() ? 0 : differing_bits(keys);
+  if (differing == 0) {
+    std::iota(index.begin(), index.end(), 0u);
+  } else {
+    Sorter(keys, index).run(differing, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+  }
+  return index;
+}
 
 void radix_sort(std::vector<Key>& keys, std::vector<std::uint32_t>& index) {
   if (index.size() != keys.size()) {
     throw std::invalid_argument("radix_sort: " + std::to_string(keys.size()) + " keys but " +
                                 std::to_string(index.size()) + " indices");
   }
-  const Pairs pairs{keys, index};
-  if (keys.size() <= short_run) {
-    insert_in_order(pairs);
-    return;
-  }
-  const Key differing = differing_bits(keys);
-  if (differing == 0) {
-    return;
-  }
-  const std::size_t n = keys.size();
-  const auto spare_keys = std::make_unique_for_overwrite<Key[]>(n);
-  const auto spare_index = std::make_unique_for_overwrite<std::uint32_t[]>(n);
-  const Pairs spare{{spare_keys.get(), n}, {spare_index.get(), n}};
-  if (n > long_run) {
-    sort_by_buckets(pairs, spare, differing);
-  } else {
-    copy(pairs, spare);
-    sort(spare, pairs);
-  }
+  const Key differing = keys.empty() ? 0 : differing_bits(keys);
+  if (differing == 0) return;
+  Sorter(keys, index).run(differing, [&](std::size_t i) { return index[i]; });
 }
 
 }  // namespace vortree::tree

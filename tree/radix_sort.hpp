@@ -7,15 +7,19 @@
 
 namespace vortree::tree {
 
-/// Sorts keys ascending and carries the indices along; stable.
+/// Sorts keys ascending; stable. Returns where each was before.
 ///
-/// Many pairs are first parted by the highest byte in which any two keys differ; threads share the
-/// buckets. In each, as many of the leading bits that differ as will tell most keys apart are
-/// sorted, least significant byte first; then the runs of keys that still agree, in the same way.
-/// Bytes in which no two keys differ cost nothing.
+/// Keys are parted by the highest bits in which any two differ, at most 10, into buckets that
+/// threads share. A bucket that is not yet right for the cache (RunSort) is parted again by the
+/// next eight bits that differ in it; if it is large, by all threads.
 ///
-/// cost    O(n): four or five passes over all pairs, as many over those in long runs; 12 bytes an
-///         element of spare memory
+/// cost    O(n): spread keys are moved once through memory and sorted in the cache, and every eight
+///         bits that a crowd of them shares move it once more; 16 bytes a key of spare memory
+/// threads OpenMP; the result is the same for any number
+[[nodiscard]] std::vector<std::uint32_t> radix_sort(std::vector<Key>& keys);
+
+/// The same, carrying an index along.
+///
 /// throws  std::invalid_argument if the sizes differ
 void radix_sort(std::vector<Key>& keys, std::vector<std::uint32_t>& index);
 

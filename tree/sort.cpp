@@ -1,30 +1,19 @@
 #include "tree/sort.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
+#include "tree/encode_kernel.hpp"
 #include "tree/radix_sort.hpp"
 
 namespace vortree::tree {
 
 namespace {
 
-// One axis of the domain.
-struct Axis {
-  double first, last, scale;
-  [[nodiscard]] bool holds(double v) const { return (v >= first) & (v <= last); }
-  // Defined for any v, so that a whole pass may run before somebody looks for strays.
-  [[nodiscard]] std::uint32_t cell(double v) const {
-    constexpr double last_cell = 0x1p31 - 1;
-    const double q = (v - first) * scale;
-    const double not_below = q > 0 ? q : 0;
-    return static_cast<std::uint32_t>(
-        static_cast<std::int64_t>(not_below < last_cell ? not_below : last_cell));
-  }
-};
+constexpr std::size_t portion = 4096;  // points that a thread encodes at a time
 
 [[noreturn]] void refuse_point(Points points, const Domain& domain, std::size_t i) {
   std::ostringstream text;
@@ -55,22 +44,20 @@ void check_request(Points points, const Domain& domain, int finest) {
 
 std::vector<Key> encode_points(Points points, const Domain& domain, int finest) {
   const double scale = 0x1p31 / domain.side;
-  const Axis x{domain.x0, domain.x0 + domain.side, scale};
-  const Axis y{domain.y0, domain.y0 + domain.side, scale};
-  const std::uint32_t mask = ~std::uint32_t{0} << (max_level - finest);
+  const kernel::Axis x{domain.x0, domain.x0 + domain.side, scale};
+  const kernel::Axis y{domain.y0, domain.y0 + domain.side, scale};
+  const Key mask = ~Key{0} << 2 * (max_level - finest);
   const std::size_t n = points.size();
   std::vector<Key> keys(n);
-  std::uint64_t strays = 0;
-#pragma omp parallel for schedule(static) reduction(+ : strays) if (n > 50000)
-  for (std::size_t i = 0; i < n; ++i) {
-    strays += static_cast<std::uint64_t>(!(x.holds(points.x[i]) & y.holds(points.y[i])));
-    keys[i] = encode({x.cell(points.x[i]) & mask, y.cell(points.y[i]) & mask});
+  std::size_t strays = 0;
+#pragma omp parallel for schedule(static) reduction(+ : strays) if (n > 8 * portion)
+  for (std::size_t first = 0; first < n; first += portion) {
+    strays += kernel::codes(&points.x[first], &points.y[first], std::min(portion, n - first), x, y,
+                            mask, &keys[first]);
   }
   if (strays != 0) {
     std::size_t i = 0;
-    while (x.holds(points.x[i]) && y.holds(points.y[i])) {
-      ++i;
-    }
+    while (x.holds(points.x[i]) && y.holds(points.y[i])) ++i;
     refuse_point(points, domain, i);
   }
   return keys;
@@ -81,9 +68,7 @@ std::vector<Key> encode_points(Points points, const Domain& domain, int finest) 
 MortonOrder morton_order(Points points, const Domain& domain, int finest) {
   check_request(points, domain, finest);
   MortonOrder order{domain, finest, encode_points(points, domain, finest), {}};
-  order.index.resize(points.size());
-  std::iota(order.index.begin(), order.index.end(), 0u);
-  radix_sort(order.keys, order.index);
+  order.index = radix_sort(order.keys);
   return order;
 }
 

@@ -19,8 +19,14 @@ struct Block {
 ///
 /// A rule must be a function of the block alone, and monotone: if a block need not split, none of
 /// the blocks inside it must. Then the tree is unique, whichever way it is walked. A block always
-/// holds points.
+/// holds points. Of large trees several threads may ask at once.
 using SplitRule = std::function<bool(const Block&)>;
+
+/// The rule that crowded() gives. Builders know it by its type and then ask it directly.
+struct Crowded {
+  std::uint32_t n_ctrl;
+  [[nodiscard]] bool operator()(const Block& block) const { return block.points.size() > n_ctrl; }
+};
 
 /// A block must split if it holds more than n_ctrl points. What the FMM asks.
 ///

@@ -1,9 +1,12 @@
+#include <omp.h>
+
 #include <catch2/catch.hpp>
 #include <limits>
 #include <stdexcept>
 
 #include "tree/build_forward.hpp"
 #include "tree/build_reverse.hpp"
+#include "tree/grown.hpp"
 #include "tree/laws.hpp"
 #include "tree/rules.hpp"
 
@@ -66,6 +69,11 @@ void check_builders(const test::Cloud& cloud, const MortonOrder& order,
   const Quadtree forward = tree::build_forward(order, must_split);
   const Quadtree reverse = tree::build_reverse(order, must_split);
   REQUIRE(forward == reverse);
+  REQUIRE(forward == Quadtree(order, {forward.cells().begin(), forward.cells().end()}));
+  for (const std::size_t pieces : {2u, 5u, 40u}) {
+    REQUIRE(tree::grow_forward(order, must_split, pieces).over(order) == forward);
+    REQUIRE(tree::grow_reverse(order, must_split, pieces).over(order) == forward);
+  }
   REQUIRE(test::broken_law(forward, must_split, cloud.points()) == "");
   REQUIRE(leaves_of(reverse) == plain_leaves(order, must_split));
 }
@@ -201,6 +209,40 @@ TEST_CASE(
     });
     INFO(cloud.name);
     CHECK(questions <= 8 * tree.childless().size());
+  }
+}
+
+TEST_CASE("large trees are the same for any number of threads") {
+  const int threads = omp_get_max_threads();
+  test::Chance chance(36);
+  for (const int kind : {0, 1, 6, 9}) {
+    const test::Cloud cloud = test::make_cloud(kind, 100000, chance);
+    std::vector<Quadtree> trees;
+    for (const int count : {1, 2, 3, 8}) {
+      omp_set_num_threads(count);
+      const MortonOrder order = tree::morton_order(cloud.points(), tree::enclose(cloud.points()));
+      const tree::SplitRule own = [](const Block& block) { return block.points.size() > 20; };
+      trees.push_back(tree::build_forward(order, tree::crowded(20)));
+      trees.push_back(tree::build_reverse(order, tree::crowded(20)));
+      trees.push_back(tree::build_forward(order, own));
+      trees.push_back(tree::build_reverse(order, own));
+    }
+    for (const Quadtree& tree : trees) {
+      INFO(cloud.name);
+      REQUIRE(tree == trees[0]);
+    }
+    REQUIRE(test::broken_law(trees[0], tree::crowded(20), cloud.points()) == "");
+  }
+  omp_set_num_threads(threads);
+}
+
+TEST_CASE("what a rule throws comes out of a large tree, too") {
+  const std::vector<double> reach(50, 1.0);
+  test::Chance chance(37);
+  const test::Cloud cloud = test::make_cloud(0, 50000, chance);
+  const MortonOrder order = tree::morton_order(cloud.points(), tree::enclose(cloud.points()));
+  for (const auto build : {tree::build_forward, tree::build_reverse}) {
+    CHECK_THROWS_WITH(build(order, tree::roomy(reach)), Catch::Contains("only 50 reaches"));
   }
 }
 

@@ -1,12 +1,16 @@
 #include "tree/sort.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 #include <numeric>
 
 #include "tree/clouds.hpp"
+#include "tree/encode_kernel.hpp"
 #include "tree/radix_sort.hpp"
+#include "tree/run_sort.hpp"
 
 using namespace vortree;
 using Catch::Matchers::Contains;
@@ -58,6 +62,79 @@ TEST_CASE("radix sort equals std::stable_sort") {
       REQUIRE(pairs.keys == expected.keys);
       REQUIRE(pairs.index == expected.index);
     }
+  }
+}
+
+TEST_CASE("many keys, spread or in crowds, are sorted by any number of threads") {
+  test::Chance chance(14);
+  const int threads = omp_get_max_threads();
+  for (const int n : {29000, 31000, 200000}) {
+    Pairs pairs = random_pairs(n, ~tree::Key{0} >> 2, chance);
+    for (std::size_t i = 0; i < pairs.keys.size(); ++i) {
+      // a third spread, a third closing in on one key, a third in few bits far down
+      if (i % 3 == 1) pairs.keys[i] >>= chance.whole(0, 61);
+      if (i % 3 == 2) pairs.keys[i] = pairs.keys[i] % 5000 + 0x3000000000000000;
+    }
+    const Pairs expected = plainly_sorted(pairs);
+    for (const int count : {1, 2, 5}) {
+      omp_set_num_threads(count);
+      Pairs sorted = pairs;
+      tree::radix_sort(sorted.keys, sorted.index);
+      REQUIRE(sorted.keys == expected.keys);
+      REQUIRE(sorted.index == expected.index);
+      sorted = pairs;
+      REQUIRE(tree::radix_sort(sorted.keys) == expected.index);
+      REQUIRE(sorted.keys == expected.keys);
+    }
+  }
+  omp_set_num_threads(threads);
+}
+
+TEST_CASE("a run is sorted in the cache as std::stable_sort would, whatever its bits") {
+  test::Chance chance(15);
+  tree::RunSort sort;
+  for (int seed = 0; seed < 2000; ++seed) {
+    const std::size_t n = chance.whole(1, seed % 100 == 0 ? 9000 : 300);
+    const int bits = chance.whole(0, tree::RunSort::most_bits(n));
+    const tree::Key shared = chance.bits();
+    std::vector<tree::Record> run(n);
+    tree::Key differing = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const tree::Key low = bits == 0 ? 0 : chance.bits() >> (64 - bits);
+      const tree::Key crowd = chance.whole(0, 1) == 0 ? low : low >> (bits - bits / 2);
+      run[i] = {bits == 64 ? crowd : (shared >> bits << bits) | crowd,
+                static_cast<std::uint32_t>(chance.whole(0, 1000000))};
+      differing |= run[i].key ^ run[0].key;
+    }
+    std::vector<tree::Key> keys(n);
+    std::vector<std::uint32_t> index(n);
+    sort(run, differing, keys, index);
+    std::stable_sort(run.begin(), run.end(), [](auto& a, auto& b) { return a.key < b.key; });
+    INFO("seed " << seed << ", n " << n << ", bits " << bits);
+    for (std::size_t i = 0; i < n; ++i) {
+      REQUIRE(keys[i] == run[i].key);
+      REQUIRE(index[i] == run[i].index);
+    }
+  }
+}
+
+TEST_CASE("codes of many points at once are those of one after the other") {
+  test::Chance chance(16);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::size_t n : {0u, 1u, 3u, 4u, 7u, 8u, 9u, 100u, 1003u}) {
+    std::vector<double> x(n), y(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      x[i] = 1.2 * chance.real() - 0.1;
+      y[i] = chance.whole(0, 9) == 0 ? nan : chance.real();
+    }
+    if (n > 3) x[1] = 1.0, y[1] = 0.0, x[2] = 1e300, y[3] = -1e300;
+    const tree::kernel::Axis axis{0.0, 1.0, 0x1p31};
+    const tree::Key mask = ~tree::Key{0} << 2 * chance.whole(0, 31);
+    std::vector<tree::Key> fast(n), plain(n);
+    const std::size_t strays =
+        tree::kernel::plain_codes(x.data(), y.data(), n, axis, axis, mask, plain.data());
+    CHECK(tree::kernel::codes(x.data(), y.data(), n, axis, axis, mask, fast.data()) == strays);
+    CHECK(fast == plain);
   }
 }
 

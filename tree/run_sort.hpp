@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tree/morton.hpp"
+
+namespace vortree::tree {
+
+/// A code on its way, and what it belongs to.
+struct Record {
+  Key key;
+  std::uint32_t index;
+};
+
+/// Sorts runs that fit the cache; one for each thread.
+///
+/// The bits in which keys of the run differ and the place in it make one 64-bit number, so that
+/// plain numbers are sorted and equal keys keep their order: one counting pass by as many leading
+/// bits as there are places, insertion for what still shares those, and again for crowds of them.
+///
+/// cost    O(n) for keys that are spread, O(n) for each 16 leading bits that a crowd shares
+class RunSort {
+ public:
+  /// The most bits that keys of a run of n may differ in.
+  [[nodiscard]] static int most_bits(std::size_t n);
+
+  /// Writes a run in order of its keys.
+  ///
+  /// differing    no two keys of the run differ in other bits; at most most_bits of them, from the
+  ///              highest to the lowest
+  /// keys, index  as long as the run
+  void operator()(std::span<const Record> run, Key differing, std::span<Key> keys,
+                  std::span<std::uint32_t> index);
+
+ private:
+  void sort(std::span<std::uint64_t> numbers, std::span<std::uint64_t> spare);
+
+  std::vector<std::uint64_t> numbers_, spare_;
+  std::vector<std::uint32_t> place_;
+};
+
+}  // namespace vortree::tree
