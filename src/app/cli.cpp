@@ -27,7 +27,7 @@ constexpr int done = 0, failed = 1, wrong_input = 2;
 struct Words {
   RunOptions run;
   VelocityJob velocity;
-  BenchJob bench;
+  TreeBenchJob bench;
   std::string benched;
   std::string scene;
   std::vector<std::string> overrides;
@@ -128,7 +128,7 @@ void add_bench(CLI::App& program, Words& words) {
       "bench", "measure speed and error of every method; writes a CSV file and figures");
   command.add_option("WHAT", words.benched, "what to measure")
       ->required()
-      ->check(CLI::IsMember({"velocity"}));
+      ->check(CLI::IsMember({"trees", "velocity"}));
   command
       .add_option("--out", words.bench.out, "folder for the results; by default runs/bench_WHAT")
       ->type_name("DIR");
@@ -139,9 +139,13 @@ void add_bench(CLI::App& program, Words& words) {
       ->type_name("N");
   command
       .add_option("--largest", words.bench.largest,
-                  "most vortices of a set; by default 4000000, quick 1000000")
+                  "most points of a set; by default 4000000 (trees 10000000), quick 1000000")
       ->check(CLI::Range(100, 100000000))
       ->type_name("N");
+  command
+      .add_option("--blobs", words.bench.blobs,
+                  "trees: the frames.h5 of a run, of which some moments are measured, too")
+      ->type_name("FILE");
   command.footer("example: vortree bench velocity --quick --out quick");
 }
 
@@ -176,7 +180,8 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("cases")) fmt::print("{}", list_cases());
   if (program.got_subcommand("check")) fmt::print("{}", check(words.scene, words.overrides));
   if (program.got_subcommand("velocity")) fmt::print("{}\n", velocity(words.velocity).line());
-  if (program.got_subcommand("bench")) bench_velocity(words.bench);
+  if (program.got_subcommand("bench"))
+    words.benched == "trees" ? bench_trees(words.bench) : bench_velocity(words.bench);
   if (program.got_subcommand("plot")) plot(words.folder);
   return done;
 }
