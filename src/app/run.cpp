@@ -41,11 +41,15 @@ struct Totals {
 class Run {
  public:
   Run(io::Scene scene, const RunOptions& options)
-      : scene_(std::move(scene)), folder_(options.out), flow_(flow_case(scene_)), history_(flow_) {}
+      : scene_(std::move(scene)),
+        folder_(options.out),
+        figures_(options.figures),
+        flow_(flow_case(scene_)),
+        history_(flow_) {}
 
   void begin();
   void resume();
-  int go();
+  RunResult go();
 
  private:
   long last_step() const { return std::lround(scene_.time.end / scene_.time.dt); }
@@ -61,7 +65,7 @@ class Run {
   void observe(const vortex::Wake& wake);
   void require_finite() const;
   double drift(const Record& record) const;
-  int finish();
+  RunResult finish();
   io::Json summary(std::span<const Verdict> verdicts) const;
   History::Write writer() {
     return [this](const Record& r) {
@@ -72,6 +76,7 @@ class Run {
 
   io::Scene scene_;
   fs::path folder_;
+  bool figures_;
   FlowCase flow_;
   vortex::Blobs blobs_;
   History history_;
@@ -250,7 +255,7 @@ double Run::drift(const Record& now) const {
   return expected == 0 ? 0 : std::abs(now.second_moment / expected - 1);
 }
 
-int Run::go() {
+RunResult Run::go() {
   const double start = time(step_);
   StopRequest stop;
   ProgressLine progress;
@@ -269,7 +274,7 @@ int Run::go() {
       fmt::print(stderr,
                  "vortree: stopped at step {}, t = {:g}; the same command with --resume goes on\n",
                  step_, time(step_));
-      return 1;
+      return {};
     }
   }
   progress.clear();
@@ -305,24 +310,33 @@ io::Json Run::summary(std::span<const Verdict> verdicts) const {
   return json;
 }
 
-int Run::finish() {
+RunResult Run::finish() {
   history_.finish(writer());
   const std::vector<Verdict> list = verdicts(scene_, folder_, blobs_, flow_);
   const io::Json json = summary(list);
   io::write_json(folder_ / "summary.json", json);
-  plot(folder_);
+  if (figures_) plot(folder_);
   const double seconds = totals_.seconds + watch_.elapsed();
   fmt::print(
-      "{} steps, {} blobs at the end, {:.1f} s with figures, {:.2f} million particle-steps/s; "
-      "results in {}\n",
-      step_, blobs_.size(), seconds, totals_.particle_steps / seconds / 1e6, folder_.string());
+      "{} steps, {} blobs at the end, {:.1f} s{}, {:.2f} million particle-steps/s; results in {}\n",
+      step_, blobs_.size(), seconds, figures_ ? " with figures" : "",
+      totals_.particle_steps / seconds / 1e6, folder_.string());
   fmt::print("{}\n", verdict_line(list));
-  return std::ranges::all_of(list, &Verdict::passed) ? 0 : 1;
+  return {.finished = true,
+          .verdicts = list,
+          .steps = step_,
+          .most_blobs = totals_.most_blobs,
+          .particle_steps = totals_.particle_steps,
+          .seconds = seconds};
 }
 
 }  // namespace
 
-int run(const RunOptions& options) {
+bool RunResult::passed() const {
+  return finished && std::ranges::all_of(verdicts, &Verdict::passed);
+}
+
+RunResult run(const RunOptions& options) {
   io::Scene scene = io::load_scene(find_scene(options.scene), options.overrides);
   Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();
