@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/advice.hpp"
 #include "app/clock.hpp"
 #include "app/flow_case.hpp"
 #include "app/memory.hpp"
@@ -24,6 +25,7 @@
 #include "io/json.hpp"
 #include "io/report.hpp"
 #include "io/table.hpp"
+#include "vortex/energy.hpp"
 
 namespace vortree::app {
 namespace {
@@ -31,6 +33,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> wall_columns{"t", "T", "angle_deg", "vorticity", "sheet"};
+const std::vector<std::string> energy_columns{"t", "energy", "enstrophy"};
+constexpr std::size_t most_blobs = 20'000'000;  // 20 GB, and a step of minutes
+constexpr std::size_t most_for_energy = 20000;  // blobs: its sum is over all pairs
 
 /// Numbers of a whole run, over all its resumptions.
 struct Totals {
@@ -63,7 +68,9 @@ class Run {
   void save_wall();
   void save_fields();
   void observe(const vortex::Wake& wake);
-  void require_finite() const;
+  /// Why the run cannot go on, or nothing.
+  std::string broken() const;
+  [[noreturn]] void give_up(const std::string& reason, vortex::Blobs last_good);
   double drift(const Record& record) const;
   RunResult finish();
   io::Json summary(std::span<const Verdict> verdicts) const;
@@ -83,7 +90,7 @@ class Run {
   Totals totals_;
   Stopwatch watch_;
   Stopwatch::Phases before_step_;
-  std::optional<io::Report> report_, wall_report_;
+  std::optional<io::Report> report_, wall_report_, energy_report_;
   std::vector<double> sheet_, wall_vorticity_;
   double second_moment_at_start_ = 0;
   long step_ = 0, saved_step_ = -1;
@@ -104,7 +111,10 @@ void Run::begin() {
   fs::remove(folder_ / "fields.h5");
   fs::remove(folder_ / "summary.json");
   report_.emplace(folder_ / "report.csv", Record::names());
-  if (flow_.wall) wall_report_.emplace(folder_ / "wall.csv", wall_columns);
+  if (flow_.wall)
+    wall_report_.emplace(folder_ / "wall.csv", wall_columns);
+  else
+    energy_report_.emplace(folder_ / "energy.csv", energy_columns);
   blobs_ = initial_blobs(scene_);
   const vortex::Wake wake = vortex::start(blobs_, flow_.problem);
   observe(wake);
@@ -116,6 +126,7 @@ void Run::begin() {
 std::string difference(const io::Scene& a, const io::Scene& b) {
   if (a.flow != b.flow) return "[flow]";
   if (a.body != b.body) return "[body]";
+  if (a.diffusion != b.diffusion) return "[diffusion]";
   if (a.cores != b.cores) return "[cores]";
   if (a.splitting != b.splitting) return "[splitting]";
   if (a.merging != b.merging) return "[merging]";
@@ -149,6 +160,8 @@ void Run::resume() {
   report_ = io::Report::resume(folder_ / "report.csv", Record::names(), time(step_ - 1));
   if (flow_.wall)
     wall_report_ = io::Report::resume(folder_ / "wall.csv", wall_columns, time(step_));
+  else
+    energy_report_ = io::Report::resume(folder_ / "energy.csv", energy_columns, time(step_));
   fmt::print(stderr, "vortree: going on from step {}, t = {:g}\n", step_, time(step_));
 }
 
@@ -179,22 +192,51 @@ void Run::observe(const vortex::Wake& wake) {
   history_.add(record, writer());
 }
 
-void Run::require_finite() const {
+std::string Run::broken() const {
+  if (blobs_.size() > most_blobs)
+    return fmt::format("{} blobs, more than {:.0e}: they multiply faster than they merge",
+                       blobs_.size(), static_cast<double>(most_blobs));
   for (std::size_t i = 0; i < blobs_.size(); ++i)
     if (!std::isfinite(blobs_.x[i] + blobs_.y[i] + blobs_.gamma[i] + blobs_.sigma[i]))
-      throw std::runtime_error(fmt::format(
-          "blob {} of {} is no longer finite after step {}, t = {:g}; the last good frame is that "
-          "of "
-          "step {} in {}",
-          i, blobs_.size(), step_, time(step_), saved_step_, (folder_ / "frames.h5").string()));
+      return fmt::format("blob {} of {} is no longer finite", i, blobs_.size());
+  if (!flow_.wall) return "";
+  // An impulsive start alone has sum |gamma| = 8 U R; what a hundred diameters of wake add is less
+  // than that a diameter.
+  double strength = 0;
+  for (double g : blobs_.gamma) strength += std::abs(g);
+  const double most = 100 * flow_.speed * flow_.diameter *
+                      std::max(1.0, flow_.speed * time(step_) / flow_.diameter / 10);
+  if (strength > most)
+    return fmt::format(
+        "the vorticity of both signs has grown to {:.3g} U D, which no flow of this "
+        "kind has: time step, cores or panels are too coarse",
+        strength / (flow_.speed * flow_.diameter));
+  return "";
+}
+
+/// Saves the state before the step that broke, and says so.
+void Run::give_up(const std::string& reason, vortex::Blobs last_good) {
+  const long failed = step_;
+  blobs_ = std::move(last_good);
+  --step_;
+  save();
+  throw std::runtime_error(
+      fmt::format("step {}, t = {:g}: {}; the last good frame is that of step {} in {}", failed,
+                  time(failed), reason, saved_step_, (folder_ / "frames.h5").string()));
 }
 
 void Run::advance() {
   ++step_;
-  const vortex::Wake wake = vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
-                                         [this](std::string_view phase) { watch_.begin(phase); });
+  vortex::Blobs before = blobs_;
+  vortex::Wake wake;
+  try {
+    wake = vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
+                        [this](std::string_view phase) { watch_.begin(phase); });
+  } catch (const std::exception& refused) {
+    give_up(refused.what(), std::move(before));
+  }
   watch_.begin("output");
-  require_finite();
+  if (const std::string reason = broken(); !reason.empty()) give_up(reason, std::move(before));
   observe(wake);
   watch_.begin("output");
   if (step_ % steps_between_frames() == 0 || step_ == last_step()) save();
@@ -222,6 +264,9 @@ void Run::save() {
     frame.state["sheet"] = sheet_;
     frame.state["wall_vorticity"] = wall_vorticity_;
     save_wall();
+  } else if (blobs_.size() <= most_for_energy) {
+    const vortex::Energy now = vortex::energy(blobs_);
+    energy_report_->row(std::array{time(step_), now.energy, now.enstrophy});
   }
   io::append_frame(folder_, frame);
   saved_step_ = step_;
@@ -338,6 +383,8 @@ bool RunResult::passed() const {
 
 RunResult run(const RunOptions& options) {
   io::Scene scene = io::load_scene(find_scene(options.scene), options.overrides);
+  for (const std::string& doubt : doubts(scene))
+    fmt::print(stderr, "vortree: warning: {}\n", doubt);
   Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();
   return run.go();
