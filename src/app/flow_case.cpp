@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "vortex/lattice.hpp"
+#include "vortex/outline.hpp"
 
 namespace vortree::app {
 namespace {
@@ -39,6 +40,13 @@ vortex::Diffusion diffusion_of(io::DiffusionKind kind) {
   return vortex::Diffusion::core_spreading;
 }
 
+std::unique_ptr<vortex::Shape> shape_of(const io::SceneBody& body) {
+  if (body.shape == io::Shape::ellipse)
+    return vortex::ellipse(vec(body.centre), body.radius, *body.across,
+                           body.incidence * std::numbers::pi / 180);
+  return vortex::circle(vec(body.centre), body.radius);
+}
+
 std::optional<vortex::Box> box_of(const io::SceneMerging& merging) {
   if (!merging.box) return std::nullopt;
   const auto [x0, y0, x1, y1] = *merging.box;
@@ -62,9 +70,8 @@ vortex::Blobs two_vortices(vortex::Lattice lattice, const io::SceneInitial& i, d
 FlowCase flow_case(const io::Scene& scene) {
   FlowCase made;
   if (scene.body) {
-    made.wall = std::make_unique<vortex::Wall>(
-        vortex::circle(vec(scene.body->centre), scene.body->radius), scene.body->panels);
-    made.diameter = 2 * scene.body->radius;
+    made.wall = std::make_unique<vortex::Wall>(shape_of(*scene.body), scene.body->panels);
+    made.diameter = io::length_of(*scene.body);
   }
   const double speed = std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
   if (speed > 0) made.speed = speed;

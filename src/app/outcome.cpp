@@ -77,6 +77,11 @@ void check_forces(std::vector<Verdict>& list, const io::SceneCheck& c, const Row
   add(list, "routes_max", c.routes_max, [&] {
     return rows.largest(c.routes_from, [&](std::size_t r) { return impulse[r] / wall[r] - 1; });
   });
+  add(list, "lift_routes_max", c.lift_routes_max, [&] {
+    const double most = rows.largest(c.routes_from, [&](std::size_t r) { return lift[r]; });
+    return rows.largest(c.routes_from, [&](std::size_t r) { return lift[r] - wall_lift[r]; }) /
+           most;
+  });
   add(list, "lift_max", c.lift_max, [&] {
     return rows.largest(
         {}, [&](std::size_t r) { return std::max(std::abs(lift[r]), std::abs(wall_lift[r])); });

@@ -55,8 +55,8 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
   record.t = static_cast<double>(step) * p.dt;
   record.T = p.wall ? 2 * flow.speed * record.t / flow.diameter : record.t;
   record.blobs = static_cast<double>(blobs.size());
-  record.circulation = now.circulation;
-  const vortex::Vec2 moment = p.wall ? wake.moment : now.moment;
+  record.circulation = now.circulation + wake.retired.gamma;
+  const vortex::Vec2 moment = p.wall ? wake.moment : now.moment + wake.retired.moment;
   record.impulse_x = moment.y;
   record.impulse_y = -moment.x;
   record.second_moment = now.second;

@@ -14,7 +14,7 @@ namespace vortree::app {
 ///
 /// t, T           time, and U t/R (t where there is no body)
 /// blobs          how many
-/// circulation    of blobs and body; stays 0 for an impulsive start
+/// circulation    of blobs, those that have left, and body; stays 0 for an impulsive start
 /// impulse_x, _y  of blobs and sheet, per unit density
 /// second_moment  sum gamma (|X|^2 + sigma^2)
 /// cd_*, cl_*     drag and lift by the rate of change of impulse, and by the wall sheet (pressure)

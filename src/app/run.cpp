@@ -154,6 +154,8 @@ void Run::resume() {
   const std::vector<double>& t = frame.state.at("totals");
   totals_ = {t.at(0), t.at(1), t.at(2), t.at(3)};
   second_moment_at_start_ = t.at(4);
+  if (const auto gone = frame.state.find("retired"); gone != frame.state.end())
+    flow_.problem.retired = {gone->second.at(0), {gone->second.at(1), gone->second.at(2)}};
   io::rewind_frames(folder_, step_);
   io::rewind_fields(folder_, time(step_));
   // The row of the frame itself waits in the history for the step after it.
@@ -237,6 +239,7 @@ void Run::advance() {
   }
   watch_.begin("output");
   if (const std::string reason = broken(); !reason.empty()) give_up(reason, std::move(before));
+  flow_.problem.retired = wake.retired;
   observe(wake);
   watch_.begin("output");
   if (step_ % steps_between_frames() == 0 || step_ == last_step()) save();
@@ -260,6 +263,8 @@ void Run::save() {
   frame.state["totals"] = {totals_.particle_steps, totals_.most_blobs,
                            totals_.seconds + watch_.elapsed(), totals_.largest_drift,
                            second_moment_at_start_};
+  const vortex::Retired& gone = flow_.problem.retired;
+  frame.state["retired"] = {gone.gamma, gone.moment.x, gone.moment.y};
   if (flow_.wall) {
     frame.state["sheet"] = sheet_;
     frame.state["wall_vorticity"] = wall_vorticity_;

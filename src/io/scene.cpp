@@ -90,6 +90,11 @@ void check_together(const Document& document, const Scene& scene) {
                                             scene.time.end, scene.time.dt));
   }
   if (scene.initial) check_initial(document, *scene.initial, cores.sigma_0);
+  if (scene.body && scene.body->across.has_value() != (scene.body->shape == Shape::ellipse))
+    document.refuse(
+        scene.body->across ? "body.across" : "body",
+        fmt::format("body.shape is {}; that {} the key body.across", quote(word(scene.body->shape)),
+                    scene.body->across ? "does not have" : "needs"));
   if (scene.body && scene.diffusion.kind != DiffusionKind::core_spreading)
     document.refuse("diffusion.kind",
                     fmt::format("diffusion.kind is {}; beside a body vorticity diffuses by "

@@ -15,7 +15,7 @@ namespace vortree::io {
 
 using Vec2 = std::array<double, 2>;
 
-enum class Shape { circle };
+enum class Shape { circle, ellipse };
 enum class InitialKind {
   lamb_oseen,
   gaussian_ellipse,
@@ -40,10 +40,14 @@ struct SceneFlow {
   bool operator==(const SceneFlow&) const = default;
 };
 
-/// A fixed body with `panels` wall elements; the scene has none in free space.
+/// A fixed body with `panels` wall elements; the scene has none in free space. An ellipse has the
+/// half axes radius and across, the first turned clockwise by `incidence` degrees from x. Twice the
+/// radius is the length that coefficients and the Reynolds number go by.
 struct SceneBody {
   Shape shape = Shape::circle;
   double radius = 0.5;
+  std::optional<double> across{};
+  double incidence = 0;
   Vec2 centre{0, 0};
   int panels = 520;
   bool operator==(const SceneBody&) const = default;
@@ -67,7 +71,7 @@ struct SceneSplitting {
 };
 
 /// tolerance 0: blobs never merge. reach is in cores; merged sigma^2 <= cap sigma_max^2. Blobs that
-/// leave the box [x0, y0, x1, y1] go on as one of each sign.
+/// leave the box [x0, y0, x1, y1] are taken away and accounted for (vortex/retire.hpp).
 struct SceneMerging {
   double tolerance = 0.02;
   double reach = 2;
@@ -131,6 +135,7 @@ struct SceneOutput {
 /// *_max, *_rms   largest and root-mean-square deviation allowed. Relative for drag, bubble
 ///                length, vorticity, velocity, moments, wall vorticity and routes (one drag route
 ///                against the other); lift_max is a coefficient, blobs_max a count
+/// lift_routes_max  one lift route against the other, relative to the largest lift
 /// *_from         only for T >= this
 /// exact          the answer known by heart that vorticity_max and velocity_max (lamb_oseen),
 ///                rotation_max (kirchhoff_ellipse: mean rate of turning), speed_max (dipole:
@@ -150,7 +155,7 @@ struct SceneCheck {
   std::optional<double> bubble_max{}, bubble_from{};
   std::optional<double> separation_max_deg{}, separation_from{};
   std::optional<double> lift_max{};
-  std::optional<double> routes_max{}, routes_from{};
+  std::optional<double> routes_max{}, routes_from{}, lift_routes_max{};
   std::optional<ExactAnswer> exact{};
   std::optional<double> vorticity_max{}, velocity_max{}, second_moment_max{};
   std::optional<double> circulation_max{}, impulse_max{};
@@ -224,7 +229,7 @@ bool operator==(const Scene&, const Scene&);
 /// Where a reference file of [check] lies: relative to the folder of the scene file.
 [[nodiscard]] std::filesystem::path reference_path(const Scene&, std::string_view written);
 
-/// The size of a body that coefficients and the Reynolds number go by: a circle's diameter.
+/// The size of a body that coefficients and the Reynolds number go by: twice its radius.
 [[nodiscard]] double length_of(const SceneBody&);
 
 /// The words of the TOML file: "rk2", "boxes", "reverse", ...

@@ -42,7 +42,7 @@ constexpr Rule required(Rule rule) {
 template <class E>
 inline constexpr std::array<std::string_view, 0> words_of{};
 template <>
-inline constexpr std::array<std::string_view, 1> words_of<Shape>{"circle"};
+inline constexpr std::array<std::string_view, 2> words_of<Shape>{"circle", "ellipse"};
 template <>
 inline constexpr std::array<std::string_view, 6> words_of<InitialKind>{
     "lamb_oseen", "gaussian_ellipse", "kirchhoff_ellipse", "corotating_pair", "dipole", "tripole"};
@@ -81,6 +81,9 @@ template <Either<SceneBody> S, class Visit>
 void walk(S& body, Visit& key) {
   key("shape", body.shape, anything);
   key("radius", body.radius, required(positive));
+  key("across", body.across, positive);
+  key("incidence", body.incidence,
+      Rule{.low = -180, .high = 180, .words = "it must lie in -180 .. 180 degrees"});
   key("centre", body.centre, anything);
   key("panels", body.panels, Rule{.low = 8, .words = "a body needs at least 8 panels"});
 }
@@ -172,6 +175,7 @@ void walk(S& check, Visit& key) {
   key("lift_max", check.lift_max, positive);
   key("routes_max", check.routes_max, positive);
   key("routes_from", check.routes_from, not_negative);
+  key("lift_routes_max", check.lift_routes_max, positive);
   key("exact", check.exact, anything);
   key("vorticity_max", check.vorticity_max, positive);
   key("velocity_max", check.velocity_max, positive);

@@ -13,12 +13,25 @@ struct Box {
   }
 };
 
-/// Replaces all blobs outside the box by one of each sign, at their centre of circulation and as
-/// wide as the widest of them: what has left, and what left before, goes on as two vortices.
+/// The account of what has left: sum gamma and sum gamma x, which goes on with the stream,
 ///
-/// Circulation and impulse are conserved exactly, so that forces and Kelvin's theorem notice
-/// nothing; the rest of the field inside changes by O(extent^2/distance^2) of what the outside
-/// adds, a small part of it where both signs leave in turn.
-void retire(Blobs& blobs, const Box& box);
+///   d moment/dt = gamma stream.
+///
+/// It still counts for Kelvin's theorem and for the impulse, so that neither body nor forces notice
+/// that blobs leave, but is felt nowhere: of a wake that sheds gamma_s of either sign, h apart,
+/// every l of way the body misses a velocity of about gamma_s h/(2 pi l L), L its distance.
+/// (As two vortices far behind, one of each sign, it would drive itself back to the body.)
+struct Retired {
+  double gamma = 0;
+  Vec2 moment;
+
+  void drift(Vec2 stream, double dt) { moment = moment + (gamma * dt) * stream; }
+  friend Retired operator+(const Retired& a, const Retired& b) {
+    return {a.gamma + b.gamma, a.moment + b.moment};
+  }
+};
+
+/// Takes all blobs outside the box away, and says what they were.
+Retired retire(Blobs& blobs, const Box& box);
 
 }  // namespace vortree::vortex

@@ -38,7 +38,7 @@ Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
   add_stream(u, p.flow.stream);
   if (p.wall) {
     const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
-    const auto sheet = p.wall->sheet(slip, -total(blobs.gamma));
+    const auto sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
     p.wall->add_velocity(sheet, *p.velocity, {at.x, at.y}, u);
   }
   return u;
@@ -49,7 +49,7 @@ std::vector<double> cancelling_sheet(const Blobs& blobs, const Acting& at, const
   Velocities at_samples(2 * p.wall->panels());
   p.velocity->upon({at.x, at.y, blobs.gamma, {}}, p.wall->samples(), at_samples);
   const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
-  return p.wall->sheet(slip, -total(blobs.gamma));
+  return p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
 }
 
 void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, double core) {
@@ -61,7 +61,8 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
   const Acting at = acting(blobs, &p.wall->shape());
   Wake wake;
   wake.sheet = cancelling_sheet(blobs, at, p);
-  wake.moment = invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet);
+  wake.moment = invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet) +
+                p.retired.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
   wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
@@ -106,7 +107,10 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
     merge_close(parts, p.merging);
     blobs = settled(parts, shape);
   }
-  if (p.box) retire(blobs, *p.box);
+  if (p.box) {
+    wake.retired = p.retired + retire(blobs, *p.box);
+    wake.retired.drift(p.flow.stream, p.dt);
+  }
   return wake;
 }
 

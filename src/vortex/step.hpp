@@ -26,7 +26,7 @@ enum class Diffusion { core_spreading, random_walk, particle_exchange };
 
 /// What a step needs to know, besides the blobs.
 ///
-/// box       blobs that leave it are retired
+/// box       blobs that leave it are retired; `retired` all that have left in the steps before
 /// wall      nullptr: free space
 /// carrying_cores  of a blob's core, that with which it carries others: 1, or sqrt(2), which in the
 ///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
@@ -44,22 +44,25 @@ struct Problem {
   Splitting splitting;
   Merging merging;
   std::optional<Box> box{};
+  Retired retired{};
   const Wall* wall = nullptr;
   const Velocity* velocity;
 };
 
-/// What one step leaves beside the blobs; empty without a wall.
+/// What one step leaves beside the blobs; but for `retired`, empty without a wall.
 ///
 /// sheet           released at the end of the step [m/s], a value a panel
-/// moment          sum gamma X of blobs and sheet before the release; forces are its rate of change
+/// moment          sum gamma X of blobs, sheet and what has left, before the release; forces are its rate of change
 /// wall_vorticity  a value a panel [1/s]
 /// pressure        force on the body during the step, per unit density [m^3/s^2]
 /// friction        the same, at the end of the step
+/// retired         all that has left the box, to be handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
   std::vector<double> wall_vorticity;
   Vec2 pressure, friction;
+  Retired retired{};
 };
 
 /// Called with the name of each phase as it begins, for whoever keeps the time.
