@@ -4,7 +4,7 @@ import numpy as np
 from _streamlines import streamlines
 from _style import INK, Nothing, figure, main
 from matplotlib.colors import LinearSegmentedColormap
-from matplotlib.patches import Circle
+from matplotlib.patches import Ellipse
 
 MOST = 4  # panels
 COLOURS = LinearSegmentedColormap.from_list("vorticity", [
@@ -24,10 +24,10 @@ def draw(run):
     grid = fig.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for axes, field in zip(grid.flat, fields):
         picture = vorticity(axes, field, body, clip)
-        if body and run.stream.any():
+        if body and run.stream.any() and "across" not in run.scene["body"]:
             streamlines(axes, field, run.stream / run.speed)
         if body:
-            axes.add_patch(Circle((0, 0), 1, facecolor="#4d4d4d", edgecolor=INK, lw=0.8, zorder=3))
+            axes.add_patch(outline(run))
         axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$")
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
         axes.grid(False)
@@ -43,6 +43,13 @@ def draw(run):
     bar.set_label("vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$")
     bar.outline.set_linewidth(0.5)
     return fig
+
+
+def outline(run):
+    body = run.scene["body"]
+    across = body.get("across", body["radius"]) / body["radius"]
+    return Ellipse((0, 0), 2, 2 * across, angle=-body.get("incidence", 0), facecolor="#4d4d4d",
+                   edgecolor=INK, lw=0.8, zorder=3)
 
 
 def scaled(run, body):

@@ -15,6 +15,7 @@
 #include "app/places.hpp"
 #include "app/plot.hpp"
 #include "app/run.hpp"
+#include "app/sweep.hpp"
 #include "app/velocity.hpp"
 #include "io/input_error.hpp"
 
@@ -65,7 +66,9 @@ void add_run(CLI::App& program, Words& words) {
       ->type_name("DIR");
   command.add_flag("--resume", words.run.resume, "go on from the last frame in that folder");
   add_threads(command, words);
-  command.footer("example: vortree run cylinder_re550 time.end=1 --out runs/short");
+  command.footer(
+      "example: vortree run cylinder_re550 time.end=1 --out runs/short\n"
+      "a list runs one after the other: vortree run lamb_oseen cores.sigma_max=0.06,0.05");
 }
 
 void add_check(CLI::App& program, Words& words) {
@@ -167,7 +170,9 @@ int run_scene(RunOptions options, int threads) {
   if (options.out.empty())
     options.out = std::filesystem::path("runs") / find_scene(options.scene).stem();
   try {
-    return run(options);
+    const SweepPlan plan = sweep_plan(options.overrides);
+    if (!plan.empty()) return sweep(options, plan);
+    return run(options).passed() ? done : failed;
   } catch (const std::invalid_argument& broken) {
     // What a library refuses in the middle of a run is not the user's input.
     return complain(broken.what(), failed);
