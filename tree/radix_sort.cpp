@@ -148,8 +148,9 @@ class Sorter {
   // `differing` bits may be; whether they do is only asked if they are too many.
   void sort(Range bucket, Key differing, RunSort& sort_run) {
     const int most = RunSort::most_bits(bucket.size());
-    if (std::bit_width(differing) > most) differing = differing_bits(records(bucket));
-    if (std::bit_width(differing) <= most) {
+    if (static_cast<int>(std::bit_width(differing)) > most)
+      differing = differing_bits(records(bucket));
+    if (static_cast<int>(std::bit_width(differing)) <= most) {
       sort_run(records(bucket), differing, keys_.subspan(bucket.first, bucket.size()),
                index_.subspan(bucket.first, bucket.size()));
       return;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/tree_rivals.hpp"
-#include "fmm/reals.hpp"
+#include "tree/memory.hpp"
 #include "tree/encode_kernel.hpp"
 #include "tree/grown.hpp"
 #include "tree/pieces.hpp"
@@ -17,7 +17,7 @@ using tree::Cell;
 using tree::Key;
 using tree::Range;
 using tree::Record;
-using Records = std::vector<Record, fmm::Untouched<Record>>;
+using Records = Unwritten<Record>;
 
 Records encoded(tree::Points points, const tree::Domain& domain) {
   constexpr std::size_t some = 1024;
