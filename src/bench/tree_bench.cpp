@@ -80,7 +80,7 @@ struct Patience {
   [[nodiscard]] bool more(const std::vector<double>& laps) const {
     double spent = 0.0;
     for (const double lap : laps) spent += lap;
-    return laps.size() < 3 || (spent < seconds && static_cast<int>(laps.size()) < most);
+    return laps.size() < 5 || (spent < seconds && static_cast<int>(laps.size()) < most);
   }
 };
 
@@ -196,7 +196,7 @@ class Bench {
       : say_(say),
         trees_(job.folder / "trees.csv"),
         reuse_(job.folder / "trees_reuse.csv"),
-        patience_(job.quick ? Patience{0.05, 15} : Patience{0.5, 40}) {
+        patience_(job.quick ? Patience{0.12, 25} : Patience{0.5, 40}) {
     const int all = job.threads > 0 ? job.threads : omp_get_max_threads();
     for (const int threads : {1, all}) machine_[threads] = measure_anchors(threads);
     for (auto* out : {&trees_, &reuse_}) {
