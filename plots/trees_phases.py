@@ -2,10 +2,8 @@
 
 import numpy as np
 from _bench import legend_below, power
-from _style import INK, figure, main, Nothing
+from _style import INK, Nothing, figure, main
 from _trees import BUILDERS, PARTS, USUAL, Table, words
-
-MOST = 3.0  # times the slowest of the others: longer bars are cut
 
 
 def draw(run):
@@ -15,7 +13,7 @@ def draw(run):
     threads = sorted({row["threads"] for row in rows})
     sets = list(dict.fromkeys(row["set"] for row in rows))
     fig = figure(9.6, 2.0 + 0.24 * len(sets) * (len(BUILDERS) + 1.2),
-                 f"{power(n)} points to a tree, $N_{{ctrl}} = {USUAL}$")
+                 f"{power(n)} points to a tree, $N_\\mathrm{{ctrl}} = {USUAL}$")
     panels = np.atleast_1d(fig.subplots(1, len(threads), sharey=True, sharex=True))
     limit = 1.35 * max(each(row) for row in rows if row["builder"] not in
                        ("printed", "printed_known"))

@@ -2,7 +2,7 @@
 
 import numpy as np
 from _bench import legend_below
-from _style import BLUE, GREEN, INK, ORANGE, Nothing, figure, main
+from _style import BLUE, GREEN, INK, ORANGE, figure, main, note
 from _trees import Table, words
 
 
@@ -11,7 +11,7 @@ def draw(run):
     sets = list(dict.fromkeys(row["set"] for row in table.rows))
     threads = table.values("threads")
     fig = figure(2.6 * len(sets) + 1.0, 3.8, "Repairing the order of the step before, against "
-                                             "sorting anew")
+                                             "sorting anew: one thread, and several (dashed)")
     panels = np.atleast_1d(fig.subplots(1, len(sets), sharey=True))
     for axes, name in zip(panels, sets):
         axes.set_title(words(name))
@@ -26,12 +26,11 @@ def draw(run):
                 axes.plot(range(len(own)), [row["repaired"] / row["scratch"] for row in own],
                           marker="o", ms=4, color=colour, ls="--" if several else "-",
                           mfc="white" if several else colour,
-                          label=f"points stored {'in the order before' if stored == 'in_order' else 'in random order'}"
-                                f", {count:.0f} thread{'s' if several else ''}")
+                          label=f"stored {stored.replace('_', ' ')}, "
+                                f"{count:.0f} thread{'s' if several else ''}")
                 axes.set_xticks(range(len(own)), [f"{row['step']:g}" for row in own])
-    if not sets:
-        raise Nothing
     panels[0].set_ylim(0)
+    note(panels[0], "dotted: 60 %", 0.98, 0.03)
     panels[0].set_ylabel("time repaired / time anew")
     handles, labels = panels[0].get_legend_handles_labels()
     legend_below(fig, handles, labels, table.where)

@@ -80,7 +80,7 @@ struct Patience {
   [[nodiscard]] bool more(const std::vector<double>& laps) const {
     double spent = 0.0;
     for (const double lap : laps) spent += lap;
-    return laps.size() < 3 || (spent < seconds && static_cast<int>(laps.size()) < most);
+    return laps.size() < 7 || (spent < seconds && static_cast<int>(laps.size()) < most);
   }
 };
 
@@ -100,9 +100,9 @@ double seconds_of(const Patience& patience, const Work& work) {
 struct Made {
   double ready = 0.0, fastest = 0.0;
   std::map<std::string, double> parts;
-  std::size_t repeats = 0, kept = 0;
+  std::size_t repeats = 0, kept = 0, cells = 0, childless = 0;
+  int depth = 0;
   std::optional<std::size_t> peak;
-  tree::Quadtree tree;
 };
 
 std::size_t bytes_of(const tree::Quadtree& tree) {
@@ -110,58 +110,96 @@ std::size_t bytes_of(const tree::Quadtree& tree) {
          tree.childless().size_bytes();
 }
 
-// `domain` empty: found anew each time, as a part of the work.
-Made measure(const Builder& builder, tree::Points points, const std::optional<tree::Domain>& domain,
-             std::uint32_t n_ctrl, int depth, const Patience& patience) {
-  Made made;
-  const auto lap = [&](app::Stopwatch& watch) {
+// Codes in the order of input.
+std::vector<tree::Key> unsorted_codes(tree::Points points) {
+  const tree::MortonOrder order = tree::morton_order(points, tree::enclose(points));
+  std::vector<tree::Key> keys(order.keys.size());
+  for (std::size_t j = 0; j < keys.size(); ++j) keys[order.index[j]] = order.keys[j];
+  return keys;
+}
+
+// Runs all builders, by turns: what disturbs the machine disturbs all.
+class Contest {
+ public:
+  // domain   empty: found anew each time, as a part of the work
+  Contest(tree::Points points, const std::optional<tree::Domain>& domain, std::uint32_t n_ctrl)
+      : points_(points),
+        domain_(domain),
+        n_ctrl_(n_ctrl),
+        depth_(tree::build_reverse(
+                   tree::morton_order(points, domain ? *domain : tree::enclose(points)),
+                   tree::crowded(n_ctrl))
+                   .depth()),
+        codes_(unsorted_codes(points)) {}
+
+  // By builder; `sort` is the same for all that sort.
+  std::map<std::string_view, Made> run(const Patience& patience) {
+    std::map<std::string_view, Made> made;
+    for (const Builder& builder : builders) measure_memory(builder, made[builder.name]);
+    std::map<std::string_view, std::vector<double>> laps;
+    std::map<std::string_view, std::map<std::string, std::vector<double>>> parts;
+    std::vector<double> sorts;
+    run_round(laps, parts, sorts);  // to warm up
+    laps.clear(), parts.clear(), sorts.clear();
+    while (patience.more(laps["reverse"])) run_round(laps, parts, sorts);
+    for (auto& [name, one] : made) {
+      one.ready = median(laps[name]);
+      one.fastest = std::ranges::min(laps[name]);
+      one.repeats = laps[name].size();
+      for (auto& [part, values] : parts[name]) one.parts[part] = median(values);
+      if (!one.parts.contains("order")) continue;
+      one.parts["sort"] = std::min(median(sorts), one.parts["order"]);
+      one.parts["encode"] = one.parts["order"] - one.parts["sort"];
+    }
+    return made;
+  }
+
+ private:
+  tree::Quadtree lap(const Builder& builder, app::Stopwatch& watch) const {
     watch.begin("enclose");
-    const tree::Domain around = domain ? *domain : tree::enclose(points);
-    tree::Quadtree tree = builder.build(points, around, n_ctrl, depth,
+    const tree::Domain around = domain_ ? *domain_ : tree::enclose(points_);
+    tree::Quadtree tree = builder.build(points_, around, n_ctrl_, depth_,
                                         [&](std::string_view name) { watch.begin(name); });
     watch.end();
     return tree;
-  };
-  {
+  }
+
+  void measure_memory(const Builder& builder, Made& made) const {
     const MemoryGrowth growth;
     app::Stopwatch watch;
-    made.tree = lap(watch);
+    const tree::Quadtree tree = lap(builder, watch);
     made.peak = growth.bytes();
+    made.kept = bytes_of(tree);
+    made.cells = tree.cells().size();
+    made.childless = tree.childless().size();
+    made.depth = tree.depth();
   }
-  std::vector<double> laps;
-  std::map<std::string, std::vector<double>> parts;
-  while (patience.more(laps)) {
-    app::Stopwatch watch;
-    const tree::Quadtree tree = lap(watch);
-    double all = 0.0;
-    for (const auto& [name, seconds] : watch.phases()) {
-      parts[name].push_back(seconds);
-      all += seconds;
-    }
-    laps.push_back(all);
-  }
-  made.ready = median(laps);
-  made.fastest = std::ranges::min(laps);
-  made.repeats = laps.size();
-  made.kept = bytes_of(made.tree);
-  for (auto& [name, values] : parts) made.parts[name] = median(values);
-  return made;
-}
 
-// How much of morton_order is sorting.
-double sort_seconds(tree::Points points, const Patience& patience) {
-  const tree::MortonOrder order = tree::morton_order(points, tree::enclose(points));
-  std::vector<tree::Key> unsorted(order.keys.size());
-  for (std::size_t j = 0; j < unsorted.size(); ++j) unsorted[order.index[j]] = order.keys[j];
-  std::vector<double> laps;
-  while (patience.more(laps)) {
-    std::vector<tree::Key> keys = unsorted;
+  void run_round(std::map<std::string_view, std::vector<double>>& laps,
+                 std::map<std::string_view, std::map<std::string, std::vector<double>>>& parts,
+                 std::vector<double>& sorts) const {
+    for (const Builder& builder : builders) {
+      app::Stopwatch watch;
+      const tree::Quadtree tree = lap(builder, watch);
+      double all = 0.0;
+      for (const auto& [name, seconds] : watch.phases()) {
+        parts[builder.name][name].push_back(seconds);
+        all += seconds;
+      }
+      laps[builder.name].push_back(all);
+    }
+    std::vector<tree::Key> keys = codes_;
     const app::Stopwatch watch;
     const auto index = tree::radix_sort(keys);
-    laps.push_back(watch.elapsed());
+    sorts.push_back(watch.elapsed());
   }
-  return median(laps);
-}
+
+  tree::Points points_;
+  std::optional<tree::Domain> domain_;
+  std::uint32_t n_ctrl_;
+  int depth_;
+  std::vector<tree::Key> codes_;
+};
 
 // A Plan's evaluation: all of it, its phase "tree", and where that grows its tree.
 struct Evaluation {
@@ -196,7 +234,7 @@ class Bench {
       : say_(say),
         trees_(job.folder / "trees.csv"),
         reuse_(job.folder / "trees_reuse.csv"),
-        patience_(job.quick ? Patience{0.05, 15} : Patience{0.5, 40}) {
+        patience_(job.quick ? Patience{0.12, 25} : Patience{0.5, 40}) {
     const int all = job.threads > 0 ? job.threads : omp_get_max_threads();
     for (const int threads : {1, all}) machine_[threads] = measure_anchors(threads);
     for (auto* out : {&trees_, &reuse_}) {
@@ -220,40 +258,25 @@ class Bench {
     const tree::Points points{set.x, set.y};
     for (const auto& [threads, anchors] : machine_) {
       omp_set_num_threads(threads);
-      const double sort = sort_seconds(points, patience_);
+      const auto all = Contest(points, {}, n_ctrl).run(patience_);
       std::optional<Evaluation> evaluation;
-      double own = 0.0;  // of the Plan, which builds in reverse
-      int depth = 0;
+      std::map<std::string_view, Made> same;  // in the Plan's domain, so that the rest is the same
       if (with_velocity) {
         evaluation = evaluate(set, n_ctrl, patience_);
-        own = measure(builders[std::size(builders) - 1], points, evaluation->domain, n_ctrl, 0,
-                      patience_)
-                  .ready;
+        same = Contest(points, evaluation->domain, n_ctrl).run(patience_);
       }
       for (const Builder& builder : builders) {
-        if (builder.name == "printed_known") {
-          depth = tree::build_reverse(tree::morton_order(points, tree::enclose(points)),
-                                      tree::crowded(n_ctrl))
-                      .depth();
-        }
-        const Made made = measure(builder, points, {}, n_ctrl, depth, patience_);
         std::optional<double> velocity, lists;
         if (evaluation) {
-          // in the Plan's domain, so that the rest is the same
-          int there = 0;
-          if (builder.name == "printed_known") {
-            there = tree::build_reverse(tree::morton_order(points, evaluation->domain),
-                                        tree::crowded(n_ctrl))
-                        .depth();
-          }
-          const Made same = measure(builder, points, evaluation->domain, n_ctrl, there, patience_);
+          const double own = same["reverse"].ready;  // what the Plan does
+          const Made& other = same[builder.name];
           // A sum does not ask for order inside a childless cell.
-          const auto finish = same.parts.find("finish");
-          velocity = evaluation->all - own + same.ready -
-                     (finish == same.parts.end() ? 0.0 : finish->second);
+          const auto finish = other.parts.find("finish");
+          velocity = evaluation->all - own + other.ready -
+                     (finish == other.parts.end() ? 0.0 : finish->second);
           lists = evaluation->tree - own;
         }
-        tell({name, set.size(), n_ctrl, threads}, builder, made, sort, velocity, lists);
+        tell({name, set.size(), n_ctrl, threads}, builder, all.at(builder.name), velocity, lists);
       }
     }
   }
@@ -311,13 +334,9 @@ class Bench {
     }
   }
 
-  void tell(const What& what, const Builder& builder, const Made& made, double sort,
+  void tell(const What& what, const Builder& builder, const Made& made,
             const std::optional<double>& velocity, const std::optional<double>& lists) {
     std::map<std::string, double> parts = made.parts;
-    if (parts.contains("order")) {
-      parts["sort"] = std::min(sort, parts["order"]);
-      parts["encode"] = parts["order"] - parts["sort"];
-    }
     const auto optional = [](const auto& value, const char* form) {
       return value ? fmt::format(fmt::runtime(form), *value) : std::string();
     };
@@ -327,9 +346,8 @@ class Bench {
                       "{},{},{:.4g},{},{}",
                       what.set, what.n, what.n_ctrl, builder.name, what.threads, made.ready,
                       made.fastest, made.repeats, parts["enclose"], parts["encode"], parts["sort"],
-                      parts["build"], parts["finish"], made.tree.cells().size(),
-                      made.tree.childless().size(), made.tree.depth(), made.kept,
-                      optional(made.peak, "{}"), floor, optional(velocity, "{:.6g}"),
+                      parts["build"], parts["finish"], made.cells, made.childless, made.depth,
+                      made.kept, optional(made.peak, "{}"), floor, optional(velocity, "{:.6g}"),
                       optional(lists, "{:.4g}")));
     say_(fmt::format(
         "{:9} {:8} {:6} {:13} {:3} {:9.3f} {:8.3f} {:8.3f} {:8.3f} {:8.3f} {:8.3f}  "

@@ -30,3 +30,30 @@ print(all(float(row['seconds']) > 0 and float(row['relative_l2']) <= float(row['
   CHECK(read.err == "");
   CHECK(read.out == "True\n['blobs', 'hard', 'ringwake', 'uniform'] ['100', '300']\nTrue\nTrue\n");
 }
+
+TEST_CASE("the tree bench leaves its tables, and figures") {
+  const TemporaryFolder folder;
+  const auto outcome =
+      call("bench trees --quick --largest 1000 --threads 1 --out new/results", folder);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  for (const char* name : {"trees_phases.png", "trees_reuse.png"}) {
+    CHECK(fs::exists(folder / "new/results" / name));
+  }
+
+  folder.write("read.py", R"(
+import csv
+lines = open('new/results/trees.csv').read().splitlines()
+notes = dict(line[2:].split(': ', 1) for line in lines if line.startswith('#'))
+rows = list(csv.DictReader(line for line in lines if not line.startswith('#')))
+print(all(notes[word] for word in ('machine', 'compiler', 'flags', 'commit', 'anchors')))
+print(sorted({row['builder'] for row in rows}))
+shapes = {(row['set'], row['n_ctrl'], row['cells'], row['childless'], row['depth']) for row in rows}
+print(len(shapes) == len({(row['set'], row['n_ctrl']) for row in rows}))
+)");
+  const auto read = shell("/usr/bin/python3 read.py", folder);
+  CHECK(read.err == "");
+  CHECK(read.out ==
+        "True\n['climb', 'forward', 'partition', 'printed', 'printed_known', 'reverse']\nTrue\n");
+}

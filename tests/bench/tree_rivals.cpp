@@ -17,7 +17,7 @@ TEST_CASE("every way to a tree ends in the same tree") {
   const auto silent = [](std::string_view) {};
   for (int seed = 0; seed < 3000; ++seed) {
     test::Chance chance(seed);
-    const test::Cloud cloud = test::any_cloud(seed % 100 == 0 ? 40000 : 300, chance);
+    const test::Cloud cloud = test::any_cloud(seed % 300 == 0 ? 300000 : 300, chance);
     const tree::Domain domain = tree::enclose(cloud.points());
     const auto n_ctrl = static_cast<std::uint32_t>(chance.whole(1, chance.whole(1, 200)));
     omp_set_num_threads(chance.whole(1, 3));
@@ -36,7 +36,7 @@ TEST_CASE("an order repaired after a step is the one from scratch, whatever the 
   const int threads = omp_get_max_threads();
   for (int seed = 0; seed < 60; ++seed) {
     test::Chance chance(seed);
-    const int n = seed % 6 == 0 ? 40000 : chance.whole(4000, 9000);
+    const int n = seed % 12 == 0 ? 200000 : chance.whole(4000, 9000);
     test::Cloud cloud = test::make_cloud(seed % test::cloud_kinds, n, chance);
     const auto before = tree::morton_order(cloud.points(), tree::enclose(cloud.points())).index;
     const double step = std::pow(10.0, chance.whole(-9, 0));
