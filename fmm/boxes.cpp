@@ -24,7 +24,7 @@ bool coarse(const Options& options) {
   return options.order == 0 && options.tolerance >= coarse_tolerance;
 }
 
-Growth growth(const Options& options) {
+Growth grown(const Options& options) {
   return {options.capacity, options.finest_level, options.builder};
 }
 
@@ -54,10 +54,18 @@ Boxes::Boxes(const Blobs& blobs, const Options& options, const Phase& phase)
       phase_(phase),
       units_(Units::of(announced(phase, "tree", blobs))),
       order_(choose_order(options_)),
-      blobs_(arrange({blobs.x, blobs.y, blobs.sigma}, units_, growth(options_))),
+      blobs_(arrange({blobs.x, blobs.y, blobs.sigma}, units_, grown(options_))),
       gamma_(arrange_gamma(blobs_.tree, blobs.gamma, units_)),
       multipoles_(announced(phase, "upward", blobs_.tree), blobs_.shapes, blobs_.points, gamma_,
                   order_.most(), coarse(options_)) {}
+
+Growth Boxes::growth() const {
+  return grown(options_);
+}
+
+bool Boxes::cored(const Arrangement& targets) const {
+  return any_core(blobs_) || (options_.cores == Cores::mean && any_core(targets));
+}
 
 Acceptance Boxes::acceptance(bool cored) const {
   return {.order = order_,
@@ -78,13 +86,12 @@ void Boxes::velocity(std::span<double> u, std::span<double> v) const {
 }
 
 void Boxes::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
-  const Arrangement at = arrange(targets, units_, growth(options_));
-  const bool cored = any_core(blobs_) || (options_.cores == Cores::mean && any_core(at));
-  evaluate_at(at, cored, u, v);
+  const Arrangement at = arrange(targets, units_, growth());
+  evaluate_at(at, cored(at), u, v);
 }
 
 void Boxes::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {
-  evaluate_at(arrange({targets.x, targets.y, {}}, units_, growth(options_)), false, u, v);
+  evaluate_at(arrange({targets.x, targets.y, {}}, units_, growth()), false, u, v);
 }
 
 Work Boxes::work() const {

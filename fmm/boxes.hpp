@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "fmm/arrangement.hpp"
 #include "fmm/evaluate.hpp"
 #include "fmm/evaluator.hpp"
@@ -22,6 +24,9 @@ class Boxes final : public Evaluator {
   void velocity(std::span<double> u, std::span<double> v) const override;
   void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const override;
   void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const override;
+  void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                std::span<double> vx) const override;
+  void stream_function(const Targets& targets, std::span<double> psi) const override;
 
   [[nodiscard]] int order() const override { return order_.most(); }
   [[nodiscard]] const tree::Quadtree& tree() const override { return blobs_.tree; }
@@ -29,7 +34,12 @@ class Boxes final : public Evaluator {
   [[nodiscard]] std::size_t bytes() const override;
 
  private:
+  [[nodiscard]] Growth growth() const;
+  [[nodiscard]] bool cored(const Arrangement& targets) const;
   [[nodiscard]] Acceptance acceptance(bool cored) const;
+  template <class Field>
+  void evaluate_field(const Field& field, const Targets& targets,
+                      std::array<double*, 3> results) const;
   void evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
                    std::span<double> v) const;
 

@@ -23,11 +23,6 @@ struct Scratch {
   Batch block, leaf;
 };
 
-TargetBox box(const CellShapes& shapes, std::size_t cell) {
-  return {shapes.x[cell], shapes.y[cell], shapes.half_x[cell], shapes.half_y[cell],
-          shapes.core[cell]};
-}
-
 /// A cell of the target tree with no more than block_size targets, or childless; its leaves.
 struct BlockOfLeaves {
   std::uint32_t cell, first, last;

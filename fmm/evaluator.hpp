@@ -19,7 +19,7 @@ struct Work {
   std::uint64_t series = 0, terms = 0, bare = 0, cored = 0;
 };
 
-/// A way to sum, made for a set of blobs; what Plan hides. Velocities are in the user's units.
+/// A way to sum, made for a set of blobs; what Plan hides. Results are in the user's units.
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
@@ -27,6 +27,9 @@ class Evaluator {
   virtual void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const = 0;
   virtual void velocity_bare(tree::Points targets, std::span<double> u,
                              std::span<double> v) const = 0;
+  virtual void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                        std::span<double> vx) const = 0;
+  virtual void stream_function(const Targets& targets, std::span<double> psi) const = 0;
   [[nodiscard]] virtual int order() const = 0;
   [[nodiscard]] virtual const tree::Quadtree& tree() const = 0;
   [[nodiscard]] virtual Work work() const = 0;

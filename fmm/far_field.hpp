@@ -8,6 +8,7 @@
 #include "fmm/leaves.hpp"
 #include "fmm/lists.hpp"
 #include "fmm/p2p_kernel.hpp"
+#include "fmm/power_series.hpp"
 #include "fmm/translation_kernel.hpp"
 #include "tree/memory.hpp"
 
@@ -37,6 +38,14 @@ class FarField {
   /// Their places must be readable up to whole vectors.
   void l2p(const Stage& stage, std::uint32_t cell, const NearTargets& targets) const;
   void m2p(const Stage& stage, std::uint32_t cell, const NearTargets& targets) const;
+
+  /// The multipole and the local expansion of a cell.
+  [[nodiscard]] SeriesView<Number> view_multipole(std::size_t cell) const {
+    return {multipole(cell), multipole(cell) + padded_, tables_.order};
+  }
+  [[nodiscard]] SeriesView<Number> view_local(std::size_t cell) const {
+    return {local(cell), local(cell) + padded_, tables_.order};
+  }
 
   [[nodiscard]] int order() const { return tables_.order; }
   [[nodiscard]] std::size_t bytes() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <variant>
 #include <vector>
 
@@ -36,6 +37,9 @@ class Full final : public Evaluator {
   void velocity(std::span<double> u, std::span<double> v) const override;
   void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const override;
   void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const override;
+  void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                std::span<double> vx) const override;
+  void stream_function(const Targets& targets, std::span<double> psi) const override;
 
   [[nodiscard]] int order() const override { return order_.most; }
   [[nodiscard]] const tree::Quadtree& tree() const override { return base_; }
@@ -45,6 +49,7 @@ class Full final : public Evaluator {
  private:
   struct Scratch;
   struct Elsewhere;
+  struct Groups;
   using Far = std::variant<FarField<double>, FarField<float>>;
 
   void grow(const Blobs& blobs);
@@ -55,9 +60,15 @@ class Full final : public Evaluator {
   void near_runs(std::uint32_t leaf, std::vector<tree::Range>& runs) const;
   void add_far(tree::Range slab, double* u, double* v) const;
   void add_cored(tree::Range slab, Scratch& scratch, double* u, double* v) const;
+  [[nodiscard]] bool cored(const Targets& targets) const;
+  [[nodiscard]] Groups group(const Targets& targets, bool cored) const;
   void evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
                           std::span<double> v) const;
   void sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const;
+  template <class Field>
+  void evaluate_field(const Field& field, const Targets& targets,
+                      std::array<double*, 3> results) const;
+  [[nodiscard]] std::uint32_t ancestor(std::uint32_t cell, int levels_up, double reach2) const;
   [[nodiscard]] std::uint32_t holder(double x, double y) const;
   void find_sources(std::uint32_t cell, const TargetBox& box, const Acceptance& accepted,
                     Elsewhere& found) const;

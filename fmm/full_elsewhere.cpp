@@ -1,8 +1,8 @@
+#include "fmm/full_elsewhere.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "fmm/batch.hpp"
-#include "fmm/full.hpp"
 #include "tree/sort.hpp"
 
 namespace vortree::fmm {
@@ -10,8 +10,6 @@ namespace {
 
 /// Targets of one cell that are summed together.
 constexpr std::size_t together = 64;
-
-constexpr std::uint32_t outside = 0xffffffffu;
 
 /// A series must outweigh so many points.
 constexpr std::uint32_t few = 12;
@@ -28,16 +26,6 @@ TargetBox around(const NearTargets& targets) {
   const double x = 0.5 * left + 0.5 * right, y = 0.5 * bottom + 0.5 * top;
   return {x, y, std::max(right - x, x - left), std::max(top - y, y - bottom), widest};
 }
-
-/// What a batch of targets meets beside the local expansion of the cell that holds it.
-struct Full::Elsewhere {
-  std::vector<std::uint32_t> open, series;
-  Interactions near;
-  NearSources sources;
-  Batch batch;
-
-  void restart() { open.clear(), series.clear(), near.clear(); }
-};
 
 /// The smallest cell that holds a place (in Units).
 std::uint32_t Full::holder(double x, double y) const {
@@ -106,10 +94,6 @@ void Full::find_sources(std::uint32_t cell, const TargetBox& box, const Acceptan
 
 namespace {
 
-struct Held {
-  std::uint32_t cell, index;
-};
-
 /// Where batches begin among targets in the order of their cells, and the end.
 std::vector<std::size_t> find_batches(const std::vector<Held>& held) {
   std::vector<std::size_t> first;
@@ -122,7 +106,8 @@ std::vector<std::size_t> find_batches(const std::vector<Held>& held) {
   return first;
 }
 
-/// The targets of some places, filled up to whole vectors with the last one; sums at zero.
+}  // namespace
+
 void take(const Targets& targets, const Units& units, std::span<const Held> held, Batch& batch) {
   const std::size_t whole = padded(held.size(), single_count);
   for (auto* values : {&batch.x, &batch.y, &batch.core}) values->resize(whole);
@@ -135,8 +120,6 @@ void take(const Targets& targets, const Units& units, std::span<const Held> held
   }
   batch.size = held.size();
 }
-
-}  // namespace
 
 void Full::sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const {
   Batch& batch = found.batch;
@@ -158,30 +141,35 @@ void Full::sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const {
             [&]<class Pair>() { found.sources.sum<Pair>(box, at, coarse); });
 }
 
-/// Targets in Morton order, then by the cell that holds them, in batches.
-void Full::evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
-                              std::span<double> v) const {
-  if (targets.size() == 0) return;
+/// Targets in Morton order, then by the cell that holds them.
+Full::Groups Full::group(const Targets& targets, bool cored) const {
   const tree::Points places{targets.x, targets.y};
   const tree::MortonOrder sorted = tree::morton_order(places, tree::enclose(places));
   // Where cores are averaged, a target's own core may show where the cells' cores do not.
   const bool wide = cored && options_.cores == Cores::mean && !targets.sigma.empty();
-  std::vector<Held> held(targets.size());
+  Groups groups;
+  groups.held.resize(targets.size());
 #pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < held.size(); ++k) {
+  for (std::size_t k = 0; k < groups.held.size(); ++k) {
     const std::uint32_t i = sorted.index[k];
     const double x = units_.position(targets.x[i]), y = units_.position(targets.y[i]);
-    held[k] = {wide ? outside : holder(x, y), i};
+    groups.held[k] = {wide ? outside : holder(x, y), i};
   }
-  std::ranges::stable_sort(held, {}, &Held::cell);
-  const std::vector<std::size_t> first = find_batches(held);
-  const std::size_t batches = first.size() - 1;
+  std::ranges::stable_sort(groups.held, {}, &Held::cell);
+  groups.first = find_batches(groups.held);
+  return groups;
+}
+
+void Full::evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
+                              std::span<double> v) const {
+  if (targets.size() == 0) return;
+  const Groups groups = group(targets, cored);
 #pragma omp parallel
   {
     Elsewhere found;
 #pragma omp for schedule(dynamic, 4)
-    for (std::size_t b = 0; b < batches; ++b) {
-      const std::span<const Held> some(&held[first[b]], first[b + 1] - first[b]);
+    for (std::size_t b = 0; b < groups.size(); ++b) {
+      const std::span<const Held> some = groups[b];
       take(targets, units_, some, found.batch);
       sum_batch(some[0].cell, cored, found);
       for (std::size_t i = 0; i < some.size(); ++i) {
@@ -194,11 +182,14 @@ void Full::evaluate_elsewhere(const Targets& targets, bool cored, std::span<doub
   units_.to_velocity(v);
 }
 
+bool Full::cored(const Targets& targets) const {
+  return leaves_.cored() ||
+         (options_.cores == Cores::mean &&
+          std::ranges::any_of(targets.sigma, [](double sigma) { return sigma > 0.0; }));
+}
+
 void Full::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
-  const bool target_cores =
-      options_.cores == Cores::mean &&
-      std::ranges::any_of(targets.sigma, [](double sigma) { return sigma > 0.0; });
-  evaluate_elsewhere(targets, leaves_.cored() || target_cores, u, v);
+  evaluate_elsewhere(targets, cored(targets), u, v);
 }
 
 void Full::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {

@@ -48,6 +48,11 @@ struct TargetBox {
   double x, y, half_x, half_y, core;
 };
 
+[[nodiscard]] inline TargetBox box(const CellShapes& shapes, std::size_t cell) {
+  return {shapes.x[cell], shapes.y[cell], shapes.half_x[cell], shapes.half_y[cell],
+          shapes.core[cell]};
+}
+
 /// r^2/S from which on a core counts as nothing:
 ///
 ///   reach2 = ln(1/(4 tolerance)), at least 1

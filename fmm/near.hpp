@@ -3,6 +3,7 @@
 #include <span>
 
 #include "fmm/cells.hpp"
+#include "fmm/field.hpp"
 #include "fmm/interactions.hpp"
 #include "fmm/p2p_kernel.hpp"
 #include "fmm/p2p_single_kernel.hpp"
@@ -38,6 +39,14 @@ class NearSources {
       }
       p2p<Pair>(cored_, targets);
     }
+  }
+
+  /// The same with a field's own sums (field.hpp).
+  template <class Field>
+  void sum(const Field& field, CoreShares shares, const FieldTargets& targets) const {
+    field.add_bare(bare_, targets);
+    field.add_bare(hidden_, targets);
+    field.add_cored(cored_, shares, targets);
   }
 
  private:

@@ -25,6 +25,12 @@ void check(const Options& options) {
   }
 }
 
+void check_result(std::size_t n, const char* name, std::span<const double> values) {
+  if (values.size() == n) return;
+  throw std::invalid_argument(std::string(name) + " has " + std::to_string(values.size()) +
+                              " values; it must have " + std::to_string(n));
+}
+
 }  // namespace
 
 Plan::Plan(const Blobs& blobs, const Options& options, const Phase& phase)
@@ -57,6 +63,21 @@ void Plan::velocity_bare(tree::Points targets, std::span<double> u, std::span<do
   fmm::check(Targets{targets.x, targets.y, {}});
   check_result(targets.size(), u, v);
   sums_->velocity_bare(targets, u, v);
+}
+
+void Plan::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                    std::span<double> vx) const {
+  fmm::check(targets);
+  check_result(targets.size(), "ux", ux);
+  check_result(targets.size(), "uy", uy);
+  check_result(targets.size(), "vx", vx);
+  sums_->gradient(targets, ux, uy, vx);
+}
+
+void Plan::stream_function(const Targets& targets, std::span<double> psi) const {
+  fmm::check(targets);
+  check_result(targets.size(), "psi", psi);
+  sums_->stream_function(targets, psi);
 }
 
 }  // namespace vortree::fmm

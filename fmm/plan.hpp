@@ -12,8 +12,8 @@
 
 namespace vortree::fmm {
 
-/// Velocities of many blobs at many places. Made once for a set of blobs, asked any number of
-/// times.
+/// Velocities of many blobs at many places, their gradient and the stream function. Made once for a
+/// set of blobs, asked any number of times.
 ///
 ///   u_i = sum_j gamma_j/(2 pi) (1 - exp(-r^2/S)) / r^2 (-dy, dx),  (dx, dy) = x_i - x_j
 ///
@@ -46,6 +46,33 @@ class Plan {
 
   /// Elsewhere, all cores taken as nothing.
   void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const;
+
+  /// How the velocity changes from place to place.
+  ///
+  ///   du/dx = -dv/dy = sum_j g_j b 2 dx dy / r^2          g_j = gamma_j/(2 pi),  q = r^2/S
+  ///   (dv/dx + du/dy)/2 = sum_j g_j b (dy^2 - dx^2)/r^2   b = (1 - (1 + q) exp(-q))/r^2
+  ///   (dv/dx - du/dy)/2 = sum_j g_j exp(-q)/S             half the vorticity
+  ///
+  /// ux, uy, vx   du/dx, du/dy, dv/dx, as many as targets [1/s]; overwritten
+  /// targets      may be the blobs; r = 0 contributes the rotation of the core, nothing if bare
+  /// error        ||.||_2 of all four as for the velocity        (tests/fmm/derivatives.cpp)
+  /// cost         O(n + m) with Method::fmm, O(m log n) with Method::boxes
+  void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                std::span<double> vx) const;
+
+  /// psi with u = d psi/dy, v = -d psi/dx.
+  ///
+  ///   psi = -sum_j gamma_j/(2 pi) (ln r + E1(r^2/S)/2),   E1(q) = int_q^inf exp(-t)/t dt
+  ///
+  /// which stays finite under a core: ln r + E1(r^2/S)/2 -> (ln S - 0.5772...)/2 as r -> 0.
+  ///
+  /// psi       as many as targets [m^2/s]; overwritten. Lengths under the logarithm are in the unit
+  ///           of the positions
+  /// targets   may be the blobs; bare blobs contribute nothing at r = 0
+  /// error     ||.||_2 as for the velocity                       (tests/fmm/derivatives.cpp)
+  ///           cores wider than 1e60 extents of the blobs count as that wide
+  /// cost      as gradient()
+  void stream_function(const Targets& targets, std::span<double> psi) const;
 
   [[nodiscard]] std::size_t size() const { return size_; }
   /// What sums: Options::method, unless it gave way.

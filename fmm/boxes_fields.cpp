@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "fmm/batch.hpp"
+#include "fmm/boxes.hpp"
+#include "fmm/field.hpp"
+#include "fmm/near.hpp"
+
+namespace vortree::fmm {
+
+/// Each leaf of the targets' tree looks for its own series and near sources, from the root on.
+template <class Field>
+void Boxes::evaluate_field(const Field& field, const Targets& targets,
+                           std::array<double*, 3> results) const {
+  for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], targets.size(), 0.0);
+  if (targets.size() == 0 || blobs_.points.size() == 0) return;
+  const Arrangement at = arrange(targets, units_, growth());
+  Acceptance accepted = acceptance(cored(at));
+  if (accepted.reach2 > 0.0) accepted.reach2 = Field::reach2(options_.tolerance);
+  const auto leaves = at.tree.childless();
+  const std::uint32_t root[] = {0};
+#pragma omp parallel
+  {
+    Interactions found;
+    NearSources near;
+    Batch batch;
+    std::array<std::vector<double>, Field::count> sums;
+#pragma omp for schedule(dynamic)
+    for (std::size_t k = 0; k < leaves.size(); ++k) {
+      const tree::Range own = at.tree.cells()[leaves[k]].points;
+      const TargetBox around = box(at.shapes, leaves[k]);
+      batch.take(at.points, own, around);
+      FieldTargets some{batch.x.data(), batch.y.data(), batch.core.data(), {}, batch.size};
+      for (std::size_t s = 0; s < Field::count; ++s) {
+        sums[s].assign(batch.x.size(), 0.0);
+        some.sums[s] = sums[s].data();
+      }
+      find_interactions(blobs_.tree, blobs_.shapes, around, accepted, root, found);
+      for (const SeriesCell met : found.series) {
+        const Frame frame{blobs_.shapes.x[met.cell], blobs_.shapes.y[met.cell], 0.0, 0.0,
+                          scale(blobs_.shapes, met.cell)};
+        field.add_multipole(SeriesView<double>{multipoles_.real(met.cell),
+                                               multipoles_.imaginary(met.cell), order_.most()},
+                            frame, some);
+      }
+      near.pack(blobs_.points, gamma_, around, accepted, found);
+      near.sum(field, CoreShares(options_.cores), some);
+      for (std::size_t s = 0; s < Field::count; ++s) {
+        for (std::uint32_t j = own.first; j < own.last; ++j) {
+          results[s][at.tree.order()[j]] = sums[s][j - own.first];
+        }
+      }
+    }
+  }
+}
+
+void Boxes::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                     std::span<double> vx) const {
+  if (phase_) phase_("evaluate");
+  evaluate_field(Gradient{}, targets, {uy.data(), ux.data(), vx.data()});
+  finish_gradient(units_, ux, uy, vx);
+}
+
+void Boxes::stream_function(const Targets& targets, std::span<double> psi) const {
+  if (phase_) phase_("evaluate");
+  evaluate_field(StreamFunction{log_unit(units_), {}}, targets, {psi.data()});
+  const double all = std::accumulate(gamma_.begin(), gamma_.end(), 0.0);
+  finish_stream_function(units_, all, targets, psi);
+}
+
+}  // namespace vortree::fmm
