@@ -42,17 +42,47 @@ void check_sizes(std::size_t in_tree, Points points, std::span<const double> rea
   throw std::invalid_argument("neighbors: " + text.str());
 }
 
-void check_reaches(std::span<const double> reach) {
-  const auto acceptable = [](double r) {
-    return r >= 0 && r <= std::numeric_limits<double>::max();
-  };
-  const auto bad = std::find_if_not(reach.begin(), reach.end(), acceptable);
-  if (bad == reach.end()) return;
+bool acceptable(double reach) {
+  return reach >= 0 && reach <= std::numeric_limits<double>::max();
+}
+
+// The least reach but zero, and the largest.
+struct Extremes {
+  double least = INFINITY, most = 0;
+};
+
+// Doubles >= 0 are ordered as their bits are, and whole numbers may be compared many at a time.
+Extremes check_reaches(std::span<const double> reach) {
+  constexpr auto infinity = std::bit_cast<std::int64_t>(std::numeric_limits<double>::infinity());
+  std::int64_t low = infinity, least = infinity, most = 0;
+  for (const double r : reach) {
+    const auto bits = std::bit_cast<std::int64_t>(r);
+    low = std::min(low, bits);
+    least = std::min(least, bits > 0 ? bits : infinity);
+    most = std::max(most, bits);
+  }
+  const auto bad = low >= 0 && most < infinity
+                       ? reach.end()
+                       : std::find_if_not(reach.begin(), reach.end(), acceptable);
+  if (bad == reach.end()) return {std::bit_cast<double>(least), std::bit_cast<double>(most)};
   std::ostringstream text;
   text.precision(17);
   text << "neighbors: reach[" << bad - reach.begin() << "] is " << *bad
        << "; it must be finite and >= 0";
   throw std::invalid_argument(text.str());
+}
+
+// The domain so much larger that the cells of some level are as wide as the largest reach.
+Domain fit(const Domain& tight, double largest) {
+  const double wide = largest * (1 + 0x1p-17);
+  if (!(wide > 0 && wide < tight.side && tight.side < 0x1p1000)) return tight;
+  const double cells = tight.side / wide;
+  return enlarge(tight, std::exp2(std::ceil(std::log2(cells))) / cells);
+}
+
+std::uint32_t ancestor(std::span<const Cell> cells, std::uint32_t cell, int levels) {
+  for (int up = 0; up < levels; ++up) cell = static_cast<std::uint32_t>(cells[cell].parent);
+  return cell;
 }
 
 // The deepest level whose cells span a reach.
@@ -65,31 +95,36 @@ int own_level(double side, double reach) {
 
 }  // namespace
 
-Domain reach_domain(Points points, std::span<const double> reach) {
-  const Domain tight = enclose(points);
-  double largest = 0;
-  for (const double r : reach) largest = std::max(largest, r);
-  const double fit = largest * (1 + 0x1p-17);
-  if (!(fit > 0 && fit < tight.side && tight.side < 0x1p1000)) return tight;
-  const double cells = tight.side / fit;
-  return enlarge(tight, std::exp2(std::ceil(std::log2(cells))) / cells);
+namespace {
+
+void sort_reaches(std::span<const std::uint32_t> order, std::span<const double> reach,
+                  Buffer<double>& sorted) {
+  sorted.renew(order.size());
+#pragma omp parallel for schedule(static)
+  for (std::size_t j = 0; j < order.size(); ++j) sorted[j] = reach[order[j]];
 }
 
-Quadtree build_for_reach(Points points, std::span<const double> reach) {
+// A tree whose cells of some level are as wide as the largest reach; `sorted` in its order.
+Quadtree build(Points points, std::span<const double> reach, Buffer<double>& sorted) {
   check_sizes(points.size(), points, reach);
-  check_reaches(reach);
-  const Domain domain = reach_domain(points, reach);
-  double least = INFINITY;
-  for (const double r : reach) least = std::min(least, r > 0 ? r : INFINITY);
-  MortonOrder order = morton_order(points, domain, own_level(domain.side, least));
-  std::vector<double> sorted(reach.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t j = 0; j < sorted.size(); ++j) sorted[j] = margin * reach[order.index[j]];
-  return build_reverse(std::move(order), both(roomy(sorted), crowded(few)));
+  const Extremes extremes = check_reaches(reach);
+  const Domain domain = fit(enclose(points), extremes.most);
+  MortonOrder order = morton_order(points, domain, own_level(domain.side, extremes.least));
+  sort_reaches(order.index, reach, sorted);
+  // The rule looks at reaches as they are: margin in the domain instead.
+  SplitRule rule = both(crowded(few), roomy(sorted.span()));
+  return build_reverse(std::move(order), rule);
+}
+
+}  // namespace
+
+Quadtree build_for_reach(Points points, std::span<const double> reach) {
+  Buffer<double> sorted;
+  return build(points, reach, sorted);
 }
 
 // How far each point's own cell is above its leaf, and how many points each cell owns.
-void Neighbors::find_cells(const Quadtree& tree, std::span<const double> reach) {
+void Neighbors::find_cells(const Quadtree& tree) {
   const auto cells = tree.cells();
   const auto leaves = tree.childless();
   const double side = tree.domain().side;
@@ -98,14 +133,18 @@ void Neighbors::find_cells(const Quadtree& tree, std::span<const double> reach) 
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < leaves.size(); ++k) {
     const Cell& leaf = cells[leaves[k]];
+    std::uint32_t at_home = 0;
     for (std::uint32_t j = leaf.points.first; j < leaf.points.last; ++j) {
-      const int rise = std::max(0, leaf.level - own_level(side, reach[tree.order()[j]]));
+      const int rise = std::max(0, leaf.level - own_level(side, sorted_[j]));
       rise_[j] = static_cast<std::uint8_t>(rise);
-      std::uint32_t cell = leaves[k];
-      for (int up = 0; up < rise; ++up) cell = static_cast<std::uint32_t>(cells[cell].parent);
+      at_home += rise == 0;
+      if (rise == 0) continue;
+      std::uint32_t& away = content_[ancestor(cells, leaves[k], rise)].finer;
 #pragma omp atomic
-      ++content_[cell].finer;
+      ++away;
     }
+#pragma omp atomic
+    content_[leaves[k]].finer += at_home;
   }
 }
 
@@ -127,12 +166,13 @@ void Neighbors::lay_out(std::span<const Cell> cells) {
   }
 }
 
-void Neighbors::fill(const Quadtree& tree, Points points, std::span<const double> reach) {
+void Neighbors::fill(const Quadtree& tree, Points points) {
   const auto cells = tree.cells();
-  const auto put = [&](std::uint32_t place, std::uint32_t i) {
+  const auto put = [&](std::uint32_t place, std::uint32_t j) {
+    const std::uint32_t i = tree.order()[j];
     placed_.x[place] = points.x[i];
     placed_.y[place] = points.y[i];
-    placed_.reach[place] = reach[i];
+    placed_.reach[place] = sorted_[j];
     placed_.id[place] = static_cast<std::int32_t>(i);
   };
   placed_.renew(points.size());
@@ -143,7 +183,7 @@ void Neighbors::fill(const Quadtree& tree, Points points, std::span<const double
     const Range inside = cells[leaves[k]].points;
     std::uint32_t place = content_[leaves[k]].first;
     for (std::uint32_t j = inside.first; j < inside.last; ++j) {
-      if (rise_[j] == 0) put(place++, tree.order()[j]);
+      if (rise_[j] == 0) put(place++, j);
       all_in_leaves = all_in_leaves && rise_[j] == 0;
     }
   }
@@ -152,9 +192,8 @@ void Neighbors::fill(const Quadtree& tree, Points points, std::span<const double
   for (const std::uint32_t leaf : leaves) {
     for (std::uint32_t j = cells[leaf].points.first; j < cells[leaf].points.last; ++j) {
       if (rise_[j] == 0) continue;
-      std::uint32_t cell = leaf;
-      for (int up = 0; up < rise_[j]; ++up) cell = static_cast<std::uint32_t>(cells[cell].parent);
-      put(content_[cell].first + taken[cell]++, tree.order()[j]);
+      const std::uint32_t cell = ancestor(cells, leaf, rise_[j]);
+      put(content_[cell].first + taken[cell]++, j);
     }
   }
 }
@@ -193,12 +232,22 @@ void Neighbors::make_groups(const Quadtree& tree) {
   }
 }
 
+void Neighbors::place(Points points, std::span<const double> reach) {
+  const Quadtree tree = build(points, reach, sorted_);
+  place_sorted(tree, points);
+}
+
 void Neighbors::place(const Quadtree& tree, Points points, std::span<const double> reach) {
   check_sizes(tree.order().size(), points, reach);
   check_reaches(reach);
-  find_cells(tree, reach);
+  sort_reaches(tree.order(), reach, sorted_);
+  place_sorted(tree, points);
+}
+
+void Neighbors::place_sorted(const Quadtree& tree, Points points) {
+  find_cells(tree);
   lay_out(tree.cells());
-  fill(tree, points, reach);
+  fill(tree, points);
   find_colleagues(tree, colleagues_);
   find_coarser(tree.cells());
   make_groups(tree);
@@ -256,7 +305,7 @@ void Neighbors::visit(PairRule rule, Listing listing, const RowVisitor& visitor)
 std::size_t Neighbors::bytes() const {
   return placed_.x.bytes() + placed_.y.bytes() + placed_.reach.bytes() + placed_.id.bytes() +
          content_.capacity() * sizeof(Content) + colleagues_.capacity() * sizeof(Colleagues) +
-         coarser_.capacity() * sizeof(std::int32_t) + rise_.capacity() +
+         coarser_.capacity() * sizeof(std::int32_t) + rise_.capacity() + sorted_.bytes() +
          groups_.capacity() * sizeof(Group) + search_.bytes();
 }
 

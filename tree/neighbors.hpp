@@ -14,14 +14,9 @@
 
 namespace vortree::tree {
 
-/// The domain of `points` made so much larger that the cells of some level are as wide as the
-/// largest reach: particles whose reaches are halved from level to level then fill their cells.
-///
-/// throws  as enclose does
-[[nodiscard]] Domain reach_domain(Points points, std::span<const double> reach);
-
-/// The tree that QCG asks for: in a domain as above, rule roomy, no cell of fewer than a handful of
-/// particles split. Any other tree of the same points will do, but costs more candidates.
+/// The tree that QCG asks for: by rule roomy, but no cell of a handful of particles split; in a
+/// domain so much larger than the points that the cells of some level are as wide as the largest
+/// reach. Particles whose reaches are halved from level to level then fill their cells.
 ///
 /// cost    O(n) and the sort
 /// throws  std::invalid_argument if sizes differ, or naming the first coordinate that is not finite
@@ -57,7 +52,13 @@ namespace vortree::tree {
 ///         particle is outside
 class Neighbors {
  public:
-  /// Places particles. The tree is no longer needed afterwards.
+  /// Places particles in the tree of build_for_reach.
+  ///
+  /// reach   one for each point [m]
+  /// throws  as build_for_reach does
+  void place(Points points, std::span<const double> reach);
+
+  /// Places particles in a tree, which is no longer needed afterwards.
   ///
   /// tree    of these points; fast if as build_for_reach makes it
   /// reach   one for each point [m]
@@ -86,14 +87,16 @@ class Neighbors {
     std::uint32_t first, finer, last;
   };
 
-  void find_cells(const Quadtree& tree, std::span<const double> reach);
+  void place_sorted(const Quadtree& tree, Points points);
+  void find_cells(const Quadtree& tree);
   void lay_out(std::span<const Cell> cells);
-  void fill(const Quadtree& tree, Points points, std::span<const double> reach);
+  void fill(const Quadtree& tree, Points points);
   void find_coarser(std::span<const Cell> cells);
   void make_groups(const Quadtree& tree);
   void name_candidates(const Group& group, Listing listing, std::vector<Range>& others) const;
 
   Placed placed_;
+  Buffer<double> sorted_;               // reaches in the tree's order
   std::vector<Content> content_;        // of each cell
   std::vector<Colleagues> colleagues_;  // of each cell
   std::vector<std::int32_t> coarser_;   // next ancestor with particles of its own nearby; -1: none

@@ -160,11 +160,18 @@ class RowSearch::Pass {
     return kernel::expand(hits, registers_ - first, numbers_.data() + first * single_count, to);
   }
 
+  // How many pairs the rows of a group hold. Where they go is anywhere in the input's order: it is
+  // fetched meanwhile.
   [[nodiscard]] std::size_t pairs_of(Range own, const Rows& rows) const {
+    constexpr std::int64_t line = 64 / sizeof(std::int32_t);
     std::int64_t sum = 0;
     for (std::uint32_t p = own.first; p < own.last; ++p) {
       const auto id = static_cast<std::size_t>(placed_.id[p]);
-      sum += rows.start[id + 1] - rows.start[id];
+      const std::int64_t first = rows.start[id], last = rows.start[id + 1];
+      for (std::int64_t k = first; k < last; k += line) {
+        __builtin_prefetch(rows.index.data() + k, 1);
+      }
+      sum += last - first;
     }
     return static_cast<std::size_t>(sum);
   }

@@ -160,21 +160,22 @@ void add_neighbors(CLI::App& program, Words& words) {
 
 void add_bench(CLI::App& program, Words& words) {
   auto& command = *program.add_subcommand(
-      "bench", "measure speed and error of every method; writes a CSV file and figures");
+      "bench",
+      "measure every method, of velocities or of neighbors; writes a CSV file and figures");
   command.add_option("WHAT", words.benched, "what to measure")
       ->required()
-      ->check(CLI::IsMember({"velocity"}));
+      ->check(CLI::IsMember({"velocity", "neighbors"}));
   command
       .add_option("--out", words.bench.out, "folder for the results; by default runs/bench_WHAT")
       ->type_name("DIR");
-  command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes instead of twenty");
+  command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes, not half an hour");
   command
       .add_option("--threads", words.bench.threads, "measured beside one thread; all by default")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   command
       .add_option("--largest", words.bench.largest,
-                  "most vortices of a set; by default 4000000, quick 1000000")
+                  "most vortices or particles of a set; by default some 4000000, quick 1000000")
       ->check(CLI::Range(100, 100000000))
       ->type_name("N");
   command.footer("example: vortree bench velocity --quick --out quick");
@@ -213,7 +214,9 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("check")) fmt::print("{}", check(words.scene, words.overrides));
   if (program.got_subcommand("velocity")) fmt::print("{}\n", velocity(words.velocity).line());
   if (program.got_subcommand("neighbors")) fmt::print("{}\n", neighbors(words.neighbors).line());
-  if (program.got_subcommand("bench")) bench_velocity(words.bench);
+  if (program.got_subcommand("bench")) {
+    words.benched == "neighbors" ? bench_neighbors(words.bench) : bench_velocity(words.bench);
+  }
   if (program.got_subcommand("plot")) plot(words.folder);
   return done;
 }

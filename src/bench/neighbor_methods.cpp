@@ -12,9 +12,7 @@ namespace {
 
 class Qcg : public NeighborMethod {
  public:
-  void build(const NeighborJob& job) override {
-    search_.place(tree::build_for_reach(job.points, job.reach), job.points, job.reach);
-  }
+  void build(const NeighborJob& job) override { search_.place(job.points, job.reach); }
   void search(const NeighborJob& job, tree::Rows& rows) override {
     search_.list(job.rule, job.listing, rows);
   }
