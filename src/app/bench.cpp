@@ -6,6 +6,7 @@
 
 #include "app/plot.hpp"
 #include "bench/neighbor_bench.hpp"
+#include "bench/neighbor_uses.hpp"
 #include "bench/velocity_bench.hpp"
 #include "io/files.hpp"
 #include "io/input_error.hpp"
@@ -44,6 +45,7 @@ void bench_velocity(const BenchJob& job) {
 void bench_neighbors(const BenchJob& job) {
   const fs::path csv = table_for(job, "neighbors");
   bench::neighbor_bench({csv, job.quick, job.threads, job.largest}, say);
+  bench::neighbor_uses(csv.parent_path(), job.quick, say);
   plot(csv.parent_path());
 }
 
