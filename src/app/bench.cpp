@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/plot.hpp"
+#include "bench/neighbor_bench.hpp"
+#include "bench/neighbor_uses.hpp"
 #include "bench/tree_bench.hpp"
 #include "bench/velocity_bench.hpp"
 #include "io/files.hpp"
@@ -21,12 +23,20 @@ namespace {
 
 constexpr std::size_t most_moments = 4;
 
-fs::path made_folder(const fs::path& wished, const char* usual) {
-  const fs::path folder = wished.empty() ? fs::path("runs") / usual : wished;
+fs::path made_folder(const BenchJob& job, std::string_view what) {
+  const fs::path folder =
+      job.out.empty() ? fs::path("runs") / fmt::format("bench_{}", what) : job.out;
   std::error_code failed;
   fs::create_directories(folder, failed);
   if (failed) throw io::InputError(fmt::format("{}: {}", folder.string(), failed.message()));
   return folder;
+}
+
+// The table of a bench in a folder that is there and can be written to.
+fs::path table_for(const BenchJob& job, std::string_view what) {
+  const fs::path csv = made_folder(job, what) / fmt::format("{}.csv", what);
+  io::require_writable(csv);
+  return csv;
 }
 
 void say(std::string_view line) {
@@ -37,15 +47,20 @@ void say(std::string_view line) {
 }  // namespace
 
 void bench_velocity(const BenchJob& job) {
-  const fs::path folder = made_folder(job.out, "bench_velocity");
-  const fs::path csv = folder / "velocity.csv";
-  io::require_writable(csv);
+  const fs::path csv = table_for(job, "velocity");
   bench::velocity_bench({csv, job.quick, job.threads, job.largest}, say);
-  plot(folder);
+  plot(csv.parent_path());
+}
+
+void bench_neighbors(const BenchJob& job) {
+  const fs::path csv = table_for(job, "neighbors");
+  bench::neighbor_bench({csv, job.quick, job.threads, job.largest}, say);
+  bench::neighbor_uses(csv.parent_path(), job.quick, say);
+  plot(csv.parent_path());
 }
 
 void bench_trees(const TreeBenchJob& job) {
-  bench::TreeBench trees{.folder = made_folder(job.out, "bench_trees"),
+  bench::TreeBench trees{.folder = made_folder(job, "trees"),
                          .quick = job.quick,
                          .threads = job.threads,
                          .largest = job.largest,

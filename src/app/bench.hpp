@@ -6,10 +6,10 @@
 namespace vortree::app {
 
 struct BenchJob {
-  std::filesystem::path out;  // empty: runs/bench_velocity, runs/bench_trees
+  std::filesystem::path out;  // empty: runs/bench_WHAT
   bool quick = false;
   int threads = 0;          // measured beside one thread; 0: all
-  std::size_t largest = 0;  // most blobs of a set; 0: as the bench says
+  std::size_t largest = 0;  // most blobs or particles of a set; 0: as the bench says
 };
 
 /// blobs   a frames file of which some moments are measured, too; empty: none
@@ -28,5 +28,8 @@ void bench_velocity(const BenchJob& job);
 ///
 /// throws  io::InputError if the folder cannot be written to or the frames file cannot be read
 void bench_trees(const TreeBenchJob& job);
+
+/// The same for the neighbor searches: neighbors.csv.
+void bench_neighbors(const BenchJob& job);
 
 }  // namespace vortree::app

@@ -57,3 +57,28 @@ print(len(shapes) == len({(row['set'], row['n_ctrl']) for row in rows}))
   CHECK(read.out ==
         "True\n['climb', 'forward', 'partition', 'printed', 'printed_known', 'reverse']\nTrue\n");
 }
+
+TEST_CASE("the neighbor bench leaves a table with its origin, and figures") {
+  const TemporaryFolder folder;
+  const auto outcome = call("bench neighbors --quick --largest 3100 --threads 2 --out nb", folder);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(fs::exists(folder / "nb/neighbors_scaled.png"));
+  folder.write("read.py", R"(
+import csv
+lines = open('nb/neighbors.csv').read().splitlines()
+notes = dict(line[2:].split(': ', 1) for line in lines if line.startswith('#'))
+rows = list(csv.DictReader(line for line in lines if not line.startswith('#')))
+print(all(notes[word] for word in ('machine', 'compiler', 'flags', 'commit', 'anchors')))
+print(sorted({row['set'] for row in rows}), sorted({row['threads'] for row in rows}))
+print(sorted({row['method'] for row in rows}), sorted({row['rule'] for row in rows}))
+print(all(float(row['seconds']) > 0 and int(row['pairs']) > 0 for row in rows))
+)");
+  const auto read = shell("/usr/bin/python3 read.py", folder);
+  CHECK(read.err == "");
+  CHECK(read.out ==
+        "True\n['cyl:5:17', 'cyl:5:31', 'uni:32'] ['1', '2']\n['all-pairs', 'leaf-quadtree', "
+        "'level-grids', 'linked-list', 'qcg', 'r-tree', 'uniform-grid'] ['max', 'mean', 'own']\n"
+        "True\n");
+}
