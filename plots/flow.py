@@ -25,7 +25,7 @@ def draw(run):
     grid = fig.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for axes, field in zip(grid.flat, fields):
         picture = vorticity(axes, field, circle, clip)
-        if circle and run.stream.any():
+        if circle and run.stream.any() and "strouhal" not in run.check:  # closed wakes only
             streamlines(axes, field, run.stream / run.speed)
         if body:
             axes.add_patch(outline(run))
