@@ -214,7 +214,7 @@ void Run::advance() {
     give_up(refused.what(), std::move(before));
   }
   watch_.begin("output");
-  if (const std::string reason = broken(blobs_, flow_, time(step_)); !reason.empty())
+  if (const std::string reason = broken(blobs_, before.size(), flow_, time(step_)); !reason.empty())
     give_up(reason, std::move(before));
   flow_.problem.retired = wake.retired;
   observe(wake);

@@ -8,15 +8,20 @@
 namespace vortree::app {
 namespace {
 
-constexpr std::size_t most_blobs = 20'000'000;
+constexpr std::size_t most_blobs = 20'000'000, many_blobs = 20'000;
 constexpr double most_vorticity = 100;  // of both signs, in U D
 
 }  // namespace
 
-std::string broken(const vortex::Blobs& blobs, const FlowCase& flow, double time) {
-  if (blobs.size() > most_blobs)
-    return fmt::format("{} blobs, more than {:.0e}: they multiply faster than they merge",
-                       blobs.size(), static_cast<double>(most_blobs));
+std::string broken(const vortex::Blobs& blobs, std::size_t before, const FlowCase& flow,
+                   double time) {
+  const bool multiplied = blobs.size() > many_blobs && blobs.size() > 3 * before;
+  if (blobs.size() > most_blobs || multiplied)
+    return fmt::format(
+        "{} blobs after {}: they multiply faster than they merge, since a step "
+        "widens them by more than splitting makes up for; larger cores.sigma_max or "
+        "smaller time.dt",
+        blobs.size(), before);
   double strength = 0;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     if (!std::isfinite(blobs.x[i] + blobs.y[i] + blobs.gamma[i] + blobs.sigma[i]))
