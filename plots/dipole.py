@@ -24,7 +24,7 @@ def draw(run):
     bottom.axhline(0, color=INK, lw=0.6)
     bottom.plot(t, (way - exact) / b, color=BLUE)
     bottom.set_ylabel("off by  [of $b$]")
-    note(bottom, f"mean speed off by {100 * abs(way[-1] / exact[-1] - 1):.3f} %", 0.02, 0.94)
+    note(bottom, f"mean speed off by {100 * abs(way[-1] / exact[-1] - 1):.3f} %", 0.02, 0.06)
     drifts(grid[:, 1], run, report, gamma, b, nu)
     for axes in grid[1]:
         axes.set_xlabel("time  $t$")
@@ -52,7 +52,7 @@ def drifts(pair, run, report, gamma, b, nu):
     top.set_yscale("log")
     top.set_ylim(1e-17, 10)
     top.set_ylabel("relative drift")
-    top.legend(loc="lower right", fontsize=8.5, ncol=2)
+    top.legend(loc="center", bbox_to_anchor=(0.55, 0.45), fontsize=8.5, ncol=2)
     bottom.plot(t, report["blobs"], color=INK)
     bottom.set_ylim(0, None)
     bottom.set_ylabel("blobs")

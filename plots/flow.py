@@ -14,6 +14,7 @@ COLOURS = LinearSegmentedColormap.from_list("vorticity", [
 
 def draw(run):
     body = "body" in run.scene
+    circle = body and "across" not in run.scene["body"]
     fields = scaled(run, body)
     clip = scale(fields, body)
     box = window(fields, body, 0.02 * clip)
@@ -23,8 +24,8 @@ def draw(run):
     fig = figure(1.0 + 5.0 * columns, 0.6 + rows * (0.45 + height), run.scene.get("title"))
     grid = fig.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for axes, field in zip(grid.flat, fields):
-        picture = vorticity(axes, field, body, clip)
-        if body and run.stream.any() and "across" not in run.scene["body"]:
+        picture = vorticity(axes, field, circle, clip)
+        if circle and run.stream.any() and "strouhal" not in run.check:  # closed wakes only
             streamlines(axes, field, run.stream / run.speed)
         if body:
             axes.add_patch(outline(run))
@@ -90,9 +91,9 @@ def window(fields, body, faint):
             min(high + pad, y[-1])]
 
 
-def vorticity(axes, field, body, clip):
+def vorticity(axes, field, circle, clip):
     x, y, omega = field["x"], field["y"], field["omega"].copy()
-    if body:  # the values beside the wall go on inside, so that no pale seam runs along it
+    if circle:  # the values beside the wall go on inside, so that no pale seam runs along it
         X, Y = np.meshgrid(x, y)
         r = np.hypot(X, Y)
         j, i = np.nonzero((r < 1.02) & (r > 0.8))

@@ -21,21 +21,29 @@ void doubt_body(List& list, const io::Scene& scene, double speed) {
         "will be off by {}; {:.2g} keeps it to 1 %",
         widest, widest / layer, layer,
         error < 0.5 ? fmt::format("some {:.0f} %", 100 * error) : "more than half", 0.4 * layer));
+  const double child2 =
+      scene.splitting.alpha * scene.splitting.alpha * (widest * widest + 4 * nu * dt);
+  if (child2 > scene.merging.cap * widest * widest)
+    list.push_back(fmt::format(
+        "cores.sigma_max = {:.3g}: one step of time.dt = {:.3g} widens a core so much that its "
+        "children, {:.3g}, are too wide to merge: blobs will multiply until the run ends; {:.2g} "
+        "is right",
+        widest, dt, std::sqrt(child2), std::sqrt(4 * nu * dt)));
   const double turn = 2 * speed / layer * dt;
   if (turn > 2)
     list.push_back(fmt::format(
         "time.dt = {:.3g}: the vorticity at the wall turns by {:.2g} rad a step, more than the "
-        "time integration can follow; the drag will be noise or the run will end early; {:.2g} is "
+        "time integration can follow; the drag will be wrong, or the run will end early; {:.2g} is "
         "right",
         dt, turn, 0.02 * std::sqrt(550 * nu / (speed * size)) * size / speed));
   const double panel = std::numbers::pi * size / scene.body->panels, thin = scene.cores.sigma_0;
   if (panel > 3 * thin)
-    list.push_back(
-        fmt::format("body.panels = {}: panels of {:.2g} are {:.2g} released cores long, so that "
-                    "fresh vorticity "
-                    "has gaps along the wall: the drag will be noise; {} are enough",
-                    scene.body->panels, panel, panel / thin,
-                    static_cast<int>(std::ceil(std::numbers::pi * size / (1.42 * thin)))));
+    list.push_back(fmt::format(
+        "body.panels = {}: panels of {:.2g} are {:.2g} released cores long, so that "
+        "fresh vorticity "
+        "has gaps along the wall: the drag will be noisy, by percents and more; {} are enough",
+        scene.body->panels, panel, panel / thin,
+        static_cast<int>(std::ceil(std::numbers::pi * size / (1.42 * thin)))));
   const double fresh = std::sqrt(nu * dt);
   if (thin > 3 * fresh || thin < fresh / 3)
     list.push_back(

@@ -12,6 +12,7 @@ namespace vortree::app {
 ///
 /// Past a body (diameter D, stream U, boundary layer d = sqrt(nu D/U)):
 ///   cores     drag error about sigma_max^2/(16 d^2), named from 5 % on
+///   both      children wider than mergers may be: blobs multiply
 ///   time step wall vorticity turns by about 2 U/d dt, named from 2 rad on
 ///   panels    longer than 3 released cores leave gaps between them
 ///   sigma_0   off sqrt(nu dt) by more than 3: wall vorticity, and with it friction, is wrong

@@ -20,6 +20,7 @@
 #include "app/plot.hpp"
 #include "app/progress.hpp"
 #include "app/record.hpp"
+#include "app/sanity.hpp"
 #include "app/signals.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
@@ -34,7 +35,6 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> wall_columns{"t", "T", "angle_deg", "vorticity", "sheet"};
 const std::vector<std::string> energy_columns{"t", "energy", "enstrophy"};
-constexpr std::size_t most_blobs = 20'000'000;  // 20 GB, and a step of minutes
 constexpr std::size_t most_for_energy = 20000;  // blobs: its sum is over all pairs
 
 /// Numbers of a whole run, over all its resumptions.
@@ -68,8 +68,6 @@ class Run {
   void save_wall();
   void save_fields();
   void observe(const vortex::Wake& wake);
-  /// Why the run cannot go on, or nothing.
-  std::string broken() const;
   [[noreturn]] void give_up(const std::string& reason, vortex::Blobs last_good);
   double drift(const Record& record) const;
   RunResult finish();
@@ -194,28 +192,6 @@ void Run::observe(const vortex::Wake& wake) {
   history_.add(record, writer());
 }
 
-std::string Run::broken() const {
-  if (blobs_.size() > most_blobs)
-    return fmt::format("{} blobs, more than {:.0e}: they multiply faster than they merge",
-                       blobs_.size(), static_cast<double>(most_blobs));
-  for (std::size_t i = 0; i < blobs_.size(); ++i)
-    if (!std::isfinite(blobs_.x[i] + blobs_.y[i] + blobs_.gamma[i] + blobs_.sigma[i]))
-      return fmt::format("blob {} of {} is no longer finite", i, blobs_.size());
-  if (!flow_.wall) return "";
-  // An impulsive start alone has sum |gamma| = 8 U R; what a hundred diameters of wake add is less
-  // than that a diameter.
-  double strength = 0;
-  for (double g : blobs_.gamma) strength += std::abs(g);
-  const double most = 100 * flow_.speed * flow_.diameter *
-                      std::max(1.0, flow_.speed * time(step_) / flow_.diameter / 10);
-  if (strength > most)
-    return fmt::format(
-        "the vorticity of both signs has grown to {:.3g} U D, which no flow of this "
-        "kind has: time step, cores or panels are too coarse",
-        strength / (flow_.speed * flow_.diameter));
-  return "";
-}
-
 /// Saves the state before the step that broke, and says so.
 void Run::give_up(const std::string& reason, vortex::Blobs last_good) {
   const long failed = step_;
@@ -238,7 +214,8 @@ void Run::advance() {
     give_up(refused.what(), std::move(before));
   }
   watch_.begin("output");
-  if (const std::string reason = broken(); !reason.empty()) give_up(reason, std::move(before));
+  if (const std::string reason = broken(blobs_, before.size(), flow_, time(step_)); !reason.empty())
+    give_up(reason, std::move(before));
   flow_.problem.retired = wake.retired;
   observe(wake);
   watch_.begin("output");

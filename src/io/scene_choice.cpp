@@ -48,7 +48,7 @@ Choice past_body(const Scene& scene, double e) {
   // A scene that sets its own step has the cores that go with it.
   c.dt = scene.time.dt > 0 ? scene.time.dt
                            : std::min(2 * e, 0.02 * std::sqrt(550 / reynolds)) * length / speed;
-  c.sigma_max = 4 * std::sqrt(e * nu * length / speed);
+  c.sigma_max = std::max(4 * std::sqrt(e * nu * length / speed), std::sqrt(4 * nu * c.dt));
   c.sigma_0 = std::min(std::sqrt(nu * c.dt), c.sigma_max);
   c.merging = 0.4 * std::sqrt(e) * speed;
   c.reach = 3;

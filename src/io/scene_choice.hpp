@@ -11,7 +11,8 @@ namespace vortree::io {
 /// With a body of diameter D in a stream U, accuracy e the drag's relative error (measured at
 /// Re = 550, where it is set by the cores):
 ///
-///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer
+///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer,
+///                                           not below the sqrt(4 nu dt) that a step adds
 ///   dt        = min(2 e, 0.02 sqrt(550/Re)) D/U     the wall's vorticity turns less than 1 rad
 ///   sigma_0   = sqrt(nu dt)                 panels: 1.42 sigma_0 long, 128 to 4000 of them
 ///   merging.tolerance = 0.4 sqrt(e) U,  merging.reach = 3,  merging.cap = 1.2

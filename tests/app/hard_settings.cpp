@@ -47,6 +47,8 @@ TEST_CASE("ten times too large a step, too wide cores and too few panels are eac
   const std::string fine = "accuracy=0.01";
   CHECK(about(doubted({fine, "time.dt=0.4"}), "time.dt = 0.4"));
   CHECK(about(doubted({fine, "cores.sigma_max=0.4"}), "cores.sigma_max = 0.4"));
+  CHECK(about(doubted({fine, "time.dt=0.4", "cores.sigma_max=0.04", "cores.sigma_0=0.03"}),
+              "cores.sigma_max = 0.04"));
   CHECK(about(doubted({fine, "body.panels=16"}), "body.panels = 16"));
   CHECK(about(doubted({fine, "cores.sigma_0=0.002"}), "cores.sigma_0 = 0.002"));
 }
@@ -75,6 +77,19 @@ TEST_CASE(
       " print(all(numpy.isfinite(f[n]['x'][()]).all() for n in f if n.startswith('frame_')))\"",
       folder);
   CHECK(finite.out == "True\n");
+}
+
+TEST_CASE("blobs that multiply end the run before they fill the machine") {
+  const TemporaryFolder folder;
+  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  folder.write("cylinder.toml", cylinder);
+  const auto outcome = call(
+      "run cylinder.toml time.dt=0.1 cores.sigma_max=0.03 cores.sigma_0=0.02 time.end=3", folder);
+  unsetenv("VORTREE_SHARE");
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err.find("they multiply faster than they merge") != std::string::npos);
+  CHECK(outcome.err.find("the last good frame is that of step") != std::string::npos);
 }
 
 TEST_CASE("a run that breaks keeps the state before the step that broke it") {
