@@ -167,7 +167,8 @@ void add_bench(CLI::App& program, Words& words) {
       "measure every way to a tree, to velocities, or to neighbors; writes CSV files and figures");
   command.add_option("WHAT", words.benched, "what to measure")
       ->required()
-      ->check(CLI::IsMember({"trees", "velocity", "neighbors"})) command
+      ->check(CLI::IsMember({"trees", "velocity", "neighbors"}));
+  command
       .add_option("--out", words.bench.out, "folder for the results; by default runs/bench_WHAT")
       ->type_name("DIR");
   command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes, not half an hour");
