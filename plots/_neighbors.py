@@ -68,6 +68,13 @@ def slope(axes, n, start, exponent, words):
                   va="center", color=INK, alpha=0.8)
 
 
-def signed(fig, bench):
-    fig.get_layout_engine().set(rect=(0, 0.02, 1, 0.98))
-    fig.text(0.99, 0.005, bench.where, ha="right", va="bottom", fontsize=8, color=GREY)
+def signed(fig, bench, handles=(), labels=(), ncol=4):
+    """Legend under the panels, and where the numbers come from."""
+    lines = -(-len(labels) // ncol)
+    room = (0.27 * lines + 0.2) / fig.get_figheight()
+    fig.get_layout_engine().set(rect=(0, room, 1, 1 - room))
+    if labels:
+        fig.legend(handles, labels, loc="lower center", ncol=ncol, handlelength=2.4,
+                   bbox_to_anchor=(0.5, 0.16 / fig.get_figheight()))
+    fig.text(0.99, 0.04 / fig.get_figheight(), bench.where, ha="right", va="bottom", fontsize=8,
+             color=GREY)

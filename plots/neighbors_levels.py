@@ -6,11 +6,11 @@ from _style import Nothing, figure, main
 
 UNIFORM = ("cyl:1:100", "cyl:1:200", "cyl:1:400")
 ADAPTIVE = ("cyl:1:100", "cyl:2:100", "cyl:3:100", "cyl:4:100", "cyl:5:100")
-LINES = (("linked-list", UNIFORM, "linked list, one size (A-C)", "-", "ABC"),
-         ("linked-list", ADAPTIVE, "linked list, 1 to 5 sizes (D-H)", "--", "DEFGH"),
-         ("qcg", ADAPTIVE, "QCG, 1 to 5 sizes (I-M)", "-", "IJKLM"),
-         ("level-grids", ADAPTIVE, "one grid a level, 1 to 5 sizes", "-", ""),
-         ("uniform-grid", ADAPTIVE, "one grid with vector tests, 1 to 5 sizes", "--", ""))
+LINES = (("linked-list", UNIFORM, "linked list, one size (A-C)", "-", ("A, D", "B", "C")),
+         ("linked-list", ADAPTIVE, "linked list, 1 to 5 sizes (D-H)", "--", ("", "E", "F", "G", "H")),
+         ("qcg", ADAPTIVE, "QCG, 1 to 5 sizes (I-M)", "-", tuple("IJKLM")),
+         ("level-grids", ADAPTIVE, "one grid a level, 1 to 5 sizes", "-", ()),
+         ("uniform-grid", ADAPTIVE, "one grid with vector tests, 1 to 5 sizes", "--", ()))
 
 
 def draw(run):
@@ -29,8 +29,7 @@ def draw(run):
     slope(panels[0], [n[0], 3e5], 0.55e3 * seconds[0], 1, "$O(N)$")
     slope(panels[0], [n[0], 1e5], 2e3 * seconds[0], 2, "$O(N^2)$")
     handles, labels = panels[0].get_legend_handles_labels()
-    fig.legend(handles, labels, loc="outside lower center", ncol=2)
-    signed(fig, bench)
+    signed(fig, bench, handles, labels, 2)
     return fig
 
 
@@ -42,7 +41,7 @@ def draw_line(axes, bench, name, scale, method, sets, words, style, letters):
               mfc="white" if sets is UNIFORM else colour, label=words)
     letter = dict(zip(sets, letters))
     for row in rows:
-        if row["set"] in letter:
+        if letter.get(row["set"]):
             axes.annotate(letter[row["set"]], (row["n"], scale * row[name]), xytext=(0, 5),
                           textcoords="offset points", ha="center", fontsize=8.5, color=colour)
 

@@ -16,8 +16,7 @@ def draw(run):
         panel(axes, bench, family, words)
     panels[0].set_ylabel("time for each particle  [ns]")
     handles, labels = panels[0].get_legend_handles_labels()
-    fig.legend(handles, labels, loc="outside lower center", ncol=4, handlelength=2.2)
-    signed(fig, bench)
+    signed(fig, bench, handles, labels, 3)
     return fig
 
 

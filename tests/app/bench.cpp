@@ -78,7 +78,7 @@ print(all(float(row['seconds']) > 0 and int(row['pairs']) > 0 for row in rows))
   const auto read = shell("/usr/bin/python3 read.py", folder);
   CHECK(read.err == "");
   CHECK(read.out ==
-        "True\n['cyl:5:17', 'cyl:5:31', 'uni:32'] ['1', '2']\n['all-pairs', 'leaf-quadtree', "
+        "True\n['cyl:5:17', 'uni:32'] ['1', '2']\n['all-pairs', 'leaf-quadtree', "
         "'level-grids', 'linked-list', 'qcg', 'r-tree', 'uniform-grid'] ['max', 'mean', 'own']\n"
         "True\n");
 }

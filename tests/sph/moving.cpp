@@ -61,7 +61,7 @@ TEST_CASE(
   int rebuilt = 0, checked = 0;
   std::size_t fewest = p.size(), most = p.size();
   for (int step = 0; step < 1000; ++step) {
-    move(p, 0.02, chance);
+    move(p, 0.004, chance);
     const double turn = 0.01 * step;
     if (step % 10 == 0)
       Refinement{0.5 + 0.25 * std::cos(turn), 0.5 + 0.25 * std::sin(turn)}.apply(p);
