@@ -62,7 +62,7 @@ struct TargetBox {
 /// of random sign, where the velocity itself is (n ln(L/S^(1/2))/(2 pi))^(1/2) in a cloud of size
 /// L: that is under tolerance/4; even sheets of one sign cancel.
 [[nodiscard]] inline double core_reach2(double tolerance) {
-  return std::max(1.0, std::log(0.25 / tolerance));
+  return std::log(1.0 / tolerance);
 }
 
 /// When two cells may meet.
