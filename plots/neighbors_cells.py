@@ -17,7 +17,7 @@ def draw(run):
         for name, colour in (("naive", GREY), ("cells", BLUE)):
             power = np.polyfit(np.log(n[-4:]), np.log(table[name][here][-4:]), 1)[0]
             axes.annotate(f"$N^{{{power:.2f}}}$", (n[-1], 1e3 * table[name][here][-1]),
-                          xytext=(-4, -16), textcoords="offset points", color=colour, ha="right")
+                          xytext=(-10, 5), textcoords="offset points", color=colour, ha="right")
         axes.set(xscale="log", yscale="log", xlabel="points", title=f"{dimensions} dimensions")
     fig.axes[0].set_ylabel("time  [ms]")
     fig.axes[0].legend(loc="upper left")

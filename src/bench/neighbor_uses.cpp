@@ -148,11 +148,11 @@ sph::Particles moving_set() {
 // A vortex carries them around; where it is strongest they are finer.
 void advance(sph::Particles& p, int step) {
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double x = p.x[i], y = p.y[i], turn = 0.02 * std::exp(-(x * x + y * y) / 20);
+    const double x = p.x[i], y = p.y[i], turn = 0.002 * std::exp(-(x * x + y * y) / 20);
     p.x[i] = x - turn * y, p.y[i] = y + turn * x;
   }
   if (step % 10 != 0) return;
-  const double cx = 5 * std::cos(0.01 * step), cy = 5 * std::sin(0.01 * step);
+  const double cx = 5 * std::cos(0.001 * step), cy = 5 * std::sin(0.001 * step);
   const auto inside = [&](std::size_t i) { return std::hypot(p.x[i] - cx, p.y[i] - cy) < 2; };
   sph::split(p, [&](std::size_t i) { return p.level(i) == 0 && inside(i); });
   sph::merge(p, [&](std::size_t i) { return !inside(i); });
