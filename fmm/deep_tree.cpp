@@ -50,25 +50,37 @@ DeepTree::DeepTree(const tree::Quadtree& base, tree::Points points, const Units&
   set_frames(base.domain(), units);
   std::vector<Graft> grafts;
   for (const std::uint32_t c : base.childless()) {
-    const tree::Range own = cells_[c].points;
-    if (!deepen || cells_[c].level < base.finest() || own.size() <= capacity) continue;
-    const Frame& at = frames_[c];
-    std::vector<double> x, y;
-    for (std::uint32_t j = own.first; j < own.last; ++j) {
-      const auto local = [&](double value, double centre, double rest) {
-        return std::clamp(((units.position(value) - centre) - rest) / at.side, -0.5, 0.5);
-      };
-      x.push_back(local(points.x[order_[j]], at.x, at.x_rest));
-      y.push_back(local(points.y[order_[j]], at.y, at.y_rest));
-    }
-    tree::MortonOrder sorted = tree::morton_order({x, y}, {-0.5, -0.5, 1.0});
-    grafts.push_back({c, build(std::move(sorted), tree::crowded(capacity), builder)});
+    const bool full = cells_[c].level == base.finest() && cells_[c].points.size() > capacity;
+    if (deepen && full) grafts.push_back({c, {}});
+  }
+#pragma omp parallel for schedule(dynamic) if (grafts.size() > 1)
+  for (std::size_t g = 0; g < grafts.size(); ++g) {
+    grafts[g].tree = grown(frames_[grafts[g].cell], cells_[grafts[g].cell].points, points, units,
+                           capacity, builder);
   }
   if (!grafts.empty()) {
     append(grafts);
     set_frames(base.domain(), units);
   }
   rank_childless();
+}
+
+/// A tree over some points of the order, in the frame of their cell.
+tree::Quadtree DeepTree::grown(const Frame& at, tree::Range own, tree::Points points,
+                               const Units& units, std::uint32_t capacity, Builder builder) const {
+  constexpr std::uint32_t ahead = 32;  // places to ask memory for in advance
+  std::vector<double> x(own.size()), y(own.size());
+  for (std::uint32_t j = own.first; j < own.last; ++j) {
+    const std::uint32_t next = order_[std::min(j + ahead, own.last - 1)];
+    __builtin_prefetch(&points.x[next]);
+    __builtin_prefetch(&points.y[next]);
+    const auto local = [&](double value, double centre, double rest) {
+      return std::clamp(((units.position(value) - centre) - rest) / at.side, -0.5, 0.5);
+    };
+    x[j - own.first] = local(points.x[order_[j]], at.x, at.x_rest);
+    y[j - own.first] = local(points.y[order_[j]], at.y, at.y_rest);
+  }
+  return build(tree::morton_order({x, y}, {-0.5, -0.5, 1.0}), tree::crowded(capacity), builder);
 }
 
 double DeepTree::side(int level) const {

@@ -55,6 +55,9 @@ class DeepTree {
   struct Graft;
 
   void take(const tree::Quadtree& base);
+  [[nodiscard]] tree::Quadtree grown(const Frame& at, tree::Range own, tree::Points points,
+                                     const Units& units, std::uint32_t capacity,
+                                     Builder builder) const;
   void append(const std::vector<Graft>& grafts);
   void set_frames(const tree::Domain& domain, const Units& units);
   void rank_childless();

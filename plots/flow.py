@@ -4,7 +4,7 @@ import numpy as np
 from _streamlines import streamlines
 from _style import INK, Nothing, figure, main
 from matplotlib.colors import LinearSegmentedColormap
-from matplotlib.patches import Circle
+from matplotlib.patches import Ellipse
 
 MOST = 4  # panels
 COLOURS = LinearSegmentedColormap.from_list("vorticity", [
@@ -14,6 +14,7 @@ COLOURS = LinearSegmentedColormap.from_list("vorticity", [
 
 def draw(run):
     body = "body" in run.scene
+    circle = body and "across" not in run.scene["body"]
     fields = scaled(run, body)
     clip = scale(fields, body)
     box = window(fields, body, 0.02 * clip)
@@ -23,11 +24,11 @@ def draw(run):
     fig = figure(1.0 + 5.0 * columns, 0.6 + rows * (0.45 + height), run.scene.get("title"))
     grid = fig.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for axes, field in zip(grid.flat, fields):
-        picture = vorticity(axes, field, body, clip)
-        if body and run.stream.any():
+        picture = vorticity(axes, field, circle, clip)
+        if circle and run.stream.any() and "strouhal" not in run.check:  # closed wakes only
             streamlines(axes, field, run.stream / run.speed)
         if body:
-            axes.add_patch(Circle((0, 0), 1, facecolor="#4d4d4d", edgecolor=INK, lw=0.8, zorder=3))
+            axes.add_patch(outline(run))
         axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$")
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
         axes.grid(False)
@@ -43,6 +44,13 @@ def draw(run):
     bar.set_label("vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$")
     bar.outline.set_linewidth(0.5)
     return fig
+
+
+def outline(run):
+    body = run.scene["body"]
+    across = body.get("across", body["radius"]) / body["radius"]
+    return Ellipse((0, 0), 2, 2 * across, angle=-body.get("incidence", 0), facecolor="#4d4d4d",
+                   edgecolor=INK, lw=0.8, zorder=3)
 
 
 def scaled(run, body):
@@ -83,9 +91,9 @@ def window(fields, body, faint):
             min(high + pad, y[-1])]
 
 
-def vorticity(axes, field, body, clip):
+def vorticity(axes, field, circle, clip):
     x, y, omega = field["x"], field["y"], field["omega"].copy()
-    if body:  # the values beside the wall go on inside, so that no pale seam runs along it
+    if circle:  # the values beside the wall go on inside, so that no pale seam runs along it
         X, Y = np.meshgrid(x, y)
         r = np.hypot(X, Y)
         j, i = np.nonzero((r < 1.02) & (r > 0.8))

@@ -14,6 +14,7 @@ namespace vortree::tree {
 /// A block at level order.finest never splits. Equal to build_reverse for every monotone rule.
 ///
 /// cost    one question to the rule and O(log n) for each cell
+/// threads OpenMP, level by level; the result is the same for any number
 /// throws  std::invalid_argument if the rule is empty or keys and index of the order differ in size
 /// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), steps 1-3
 [[nodiscard]] Quadtree build_forward(MortonOrder order, const SplitRule& must_split);

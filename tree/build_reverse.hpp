@@ -16,10 +16,20 @@ namespace vortree::tree {
 /// count of leading zeros): single chains are not walked level by level. No recursion, and no
 /// array of size 4^L.
 ///
+/// crowded(n_ctrl) needs no climb. A cell that begins at point j is crowded if it holds point
+/// j + n_ctrl as well, and the childless cell at j does not hold the point before:
+///
+///   level = 1 + max(common_level(k[j - 1], k[j]), common_level(k[j], k[j + n_ctrl]))
+///
+/// or the finest level, if that is coarser.
+///
 /// A block at level order.finest never splits. Equal to build_forward for every monotone rule.
 ///
 /// cost    O(d log n) for each childless cell, d <= order.finest the number of times others join it
-///         on the way up (two or three on average), and O(1) for each cell of the tree
+///         on the way up (two or three on average), O(log n_ctrl) if the rule is crowded, and O(1)
+///         for each cell of the tree
+/// threads OpenMP, each from a cell in the middle of the points; the result is the same for any
+///         number
 /// throws  std::invalid_argument if the rule is empty or keys and index of the order differ in size
 /// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), steps 4-8, corrected: siblings at
 ///         level m start at F + {0, 1, 2, 3} 4^(L-m), F a multiple of 4^(L-m+1), and merge up to

@@ -36,4 +36,14 @@ struct Extent {
   return {from_ordinal(low), from_ordinal(high)};
 }
 
+/// Of all numbers that any of the extents is of.
+[[nodiscard]] inline Extent united(std::span<const Extent> extents) {
+  std::int64_t low = ordinal(extents[0].low), high = ordinal(extents[0].high);
+  for (const Extent& extent : extents) {
+    low = std::min(low, ordinal(extent.low));
+    high = std::max(high, ordinal(extent.high));
+  }
+  return {from_ordinal(low), from_ordinal(high)};
+}
+
 }  // namespace vortree::tree::kernel

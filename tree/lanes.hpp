@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 #ifdef __AVX__
 #include <immintrin.h>
@@ -107,23 +108,23 @@ inline double sum(Lanes a) {
 /// The first and the last half of some floats, as doubles.
 using HalfSingles [[gnu::vector_size(register_bytes / 2)]] = float;
 inline Lanes low(Singles a) {
-  HalfSingles half;
-  std::memcpy(&half, &a, sizeof half);
-  return __builtin_convertvector(half, Lanes);
+  return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+    return __builtin_convertvector(__builtin_shufflevector(a, a, lane...), Lanes);
+  }(std::make_integer_sequence<int, lane_count>{});
 }
 inline Lanes high(Singles a) {
-  HalfSingles half;
-  std::memcpy(&half, reinterpret_cast<const char*>(&a) + sizeof half, sizeof half);
-  return __builtin_convertvector(half, Lanes);
+  return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+    return __builtin_convertvector(__builtin_shufflevector(a, a, (lane + lane_count)...), Lanes);
+  }(std::make_integer_sequence<int, lane_count>{});
 }
 
 /// Two vectors of doubles as one of floats.
 inline Singles narrowed(Lanes first, Lanes second) {
-  const HalfSingles half[2] = {__builtin_convertvector(first, HalfSingles),
-                               __builtin_convertvector(second, HalfSingles)};
-  Singles a;
-  std::memcpy(&a, half, sizeof a);
-  return a;
+  const HalfSingles a = __builtin_convertvector(first, HalfSingles);
+  const HalfSingles b = __builtin_convertvector(second, HalfSingles);
+  return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(a, b, lane...);
+  }(std::make_integer_sequence<int, single_count>{});
 }
 
 inline double sum(Singles a) {
@@ -149,6 +150,10 @@ inline LaneSet where(Bits condition) {
   return _mm512_movepi64_mask((__m512i)condition);
 }
 
+inline LaneSet where(SingleBits condition) {
+  return _mm512_movepi32_mask((__m512i)condition);
+}
+
 inline Lanes load(const double* from, LaneSet lanes, double others = 0.0) {
   return (Lanes)_mm512_mask_loadu_pd((__m512d)fill(others), static_cast<__mmask8>(lanes), from);
 }
@@ -162,6 +167,10 @@ inline void store_close(double* to, Lanes a, LaneSet lanes) {
 
 inline LaneSet where(Bits condition) {
   return static_cast<LaneSet>(_mm256_movemask_pd((__m256d)condition));
+}
+
+inline LaneSet where(SingleBits condition) {
+  return static_cast<LaneSet>(_mm256_movemask_ps((__m256)condition));
 }
 
 inline Lanes load(const double* from, LaneSet lanes, double others = 0.0) {
@@ -197,6 +206,12 @@ inline void store_close(double* to, Lanes a, LaneSet lanes) {
 inline LaneSet where(Bits condition) {
   LaneSet lanes = 0;
   for (int i = 0; i < lane_count; ++i) lanes |= condition[i] != 0 ? 1u << i : 0u;
+  return lanes;
+}
+
+inline LaneSet where(SingleBits condition) {
+  LaneSet lanes = 0;
+  for (int i = 0; i < single_count; ++i) lanes |= condition[i] != 0 ? 1u << i : 0u;
   return lanes;
 }
 

@@ -8,8 +8,9 @@
 
 namespace vortree::tree {
 
-/// Work on n things is shared among threads from this number on, in so many pieces.
-inline constexpr std::size_t worth_sharing = 30000, shared_pieces = 16;
+/// Work on more things than this is shared among threads, in so many pieces. Threads that slept are
+/// some 50 microseconds late, and a tree takes ten turns of them: fewer points are done by then.
+inline constexpr std::size_t worth_sharing = 150000, shared_pieces = 16;
 
 [[nodiscard]] inline std::size_t pieces_of(std::size_t n) {
   return n > worth_sharing ? shared_pieces : 1;

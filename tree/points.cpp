@@ -1,12 +1,14 @@
 #include "tree/points.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "tree/extent_kernel.hpp"
+#include "tree/pieces.hpp"
 
 namespace vortree::tree {
 
@@ -25,12 +27,18 @@ bool acceptable(double value) {
 }
 
 kernel::Extent extent(char axis, std::span<const double> values) {
-  const kernel::Extent found = kernel::extent(values);
-  if (!acceptable(found.low) || !acceptable(found.high)) {
+  const std::size_t pieces = pieces_of(values.size());
+  std::array<kernel::Extent, shared_pieces> found;
+  for_each_piece(pieces, [&](std::size_t p) {
+    const Range some = piece(values.size(), p, pieces);
+    found[p] = kernel::extent(values.subspan(some.first, some.size()));
+  });
+  const kernel::Extent all = kernel::united({found.data(), pieces});
+  if (!acceptable(all.low) || !acceptable(all.high)) {
     const auto culprit = std::find_if_not(values.begin(), values.end(), acceptable);
     refuse_coordinate(axis, static_cast<std::size_t>(culprit - values.begin()), *culprit);
   }
-  return found;
+  return all;
 }
 
 // The next number of 20 significant bits above width, never nearer than 2^-20 of it.

@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "tree/points.hpp"
+#include "tree/pieces.hpp"
 #include "tree/run_sort.hpp"
 
 namespace vortree::tree {
@@ -22,17 +22,13 @@ namespace {
 // More buckets than lines of the nearest cache make writing to them slow.
 constexpr int most_first_bits = 10, next_bits = 8;
 
-// From this length on, threads share a pass.
-constexpr std::size_t long_run = 30000;
-constexpr std::size_t portions = 16;
-
 // A bucket is large if it alone would keep a thread busy for so much of its share.
 constexpr std::size_t large_part = 4;
 
 Key differing_bits(std::span<const Key> keys) {
   Key differing = 0;
   const Key first = keys[0];
-#pragma omp parallel for schedule(static) reduction(| : differing) if (keys.size() > long_run)
+#pragma omp parallel for schedule(static) reduction(| : differing) if (keys.size() > worth_sharing)
   for (std::size_t i = 0; i < keys.size(); ++i) differing |= keys[i] ^ first;
   return differing;
 }
@@ -57,13 +53,13 @@ struct Digit {
 // threads share the work and the order is kept. Returns where each bucket ends.
 template <class KeyOf, class Move>
 std::vector<std::uint32_t> part(std::size_t n, Digit digit, const KeyOf& key_of, const Move& move) {
-  const std::size_t some = n > long_run ? portions : 1;
-  const auto begin = [=](std::size_t p) { return n * p / some; };
+  const std::size_t some = pieces_of(n);
   std::vector<std::uint32_t> places(some * digit.count(), 0);
 #pragma omp parallel for schedule(static) if (some > 1)
   for (std::size_t p = 0; p < some; ++p) {
     std::uint32_t* counts = &places[p * digit.count()];
-    for (std::size_t i = begin(p); i < begin(p + 1); ++i) ++counts[digit(key_of(i))];
+    const Range own = piece(n, p, some);
+    for (std::size_t i = own.first; i < own.last; ++i) ++counts[digit(key_of(i))];
   }
   std::vector<std::uint32_t> ends(digit.count());
   std::uint32_t next = 0;
@@ -76,7 +72,8 @@ std::vector<std::uint32_t> part(std::size_t n, Digit digit, const KeyOf& key_of,
 #pragma omp parallel for schedule(static) if (some > 1)
   for (std::size_t p = 0; p < some; ++p) {
     std::uint32_t* place = &places[p * digit.count()];
-    for (std::size_t i = begin(p); i < begin(p + 1); ++i) move(i, place[digit(key_of(i))]++);
+    const Range own = piece(n, p, some);
+    for (std::size_t i = own.first; i < own.last; ++i) move(i, place[digit(key_of(i))]++);
   }
   return ends;
 }
@@ -89,7 +86,8 @@ class Sorter {
         spare_(std::make_unique_for_overwrite<Record[]>(keys.size())),
         records_(spare_.get(), keys.size()) {
     const auto threads = static_cast<std::size_t>(omp_get_max_threads());
-    large_ = threads == 1 ? keys.size() : std::max(long_run, keys.size() / (threads * large_part));
+    large_ =
+        threads == 1 ? keys.size() : std::max(worth_sharing, keys.size() / (threads * large_part));
   }
 
   // index_of(i) belongs to key i.
@@ -105,7 +103,7 @@ class Sorter {
         });
     collect(0, ends);
     const Key left = differing & ((Key{1} << digit.low) - 1);
-#pragma omp parallel if (n > long_run)
+#pragma omp parallel if (n > worth_sharing)
     {
       RunSort sort_run;
 #pragma omp for schedule(dynamic, 4)
@@ -124,7 +122,7 @@ class Sorter {
           keys_[first + to] = records_[first + i].key;
           index_[first + to] = records_[first + i].index;
         });
-#pragma omp parallel for schedule(static) if (bucket.size() > long_run)
+#pragma omp parallel for schedule(static) if (bucket.size() > worth_sharing)
     for (std::size_t i = first; i < bucket.last; ++i) records_[i] = {keys_[i], index_[i]};
     return ends;
   }
@@ -148,8 +146,9 @@ class Sorter {
   // `differing` bits may be; whether they do is only asked if they are too many.
   void sort(Range bucket, Key differing, RunSort& sort_run) {
     const int most = RunSort::most_bits(bucket.size());
-    if (std::bit_width(differing) > most) differing = differing_bits(records(bucket));
-    if (std::bit_width(differing) <= most) {
+    const auto few = [=](Key bits) { return static_cast<int>(std::bit_width(bits)) <= most; };
+    if (!few(differing)) differing = differing_bits(records(bucket));
+    if (few(differing)) {
       sort_run(records(bucket), differing, keys_.subspan(bucket.first, bucket.size()),
                index_.subspan(bucket.first, bucket.size()));
       return;

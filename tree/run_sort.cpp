@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 
 namespace vortree::tree {
 
@@ -48,7 +47,6 @@ int RunSort::most_bits(std::size_t n) {
 
 void RunSort::operator()(std::span<const Record> run, Key differing, std::span<Key> keys,
                          std::span<std::uint32_t> index) {
-  assert(!run.empty() && std::bit_width(differing) <= most_bits(run.size()));
   const std::size_t n = run.size();
   if (numbers_.size() < n) numbers_.resize(n), spare_.resize(n);
   const std::span<std::uint64_t> numbers(numbers_.data(), n);
@@ -57,9 +55,9 @@ void RunSort::operator()(std::span<const Record> run, Key differing, std::span<K
     return;
   }
   const int shared = std::countl_zero(differing);
-  for (std::size_t i = 0; i < n; ++i) numbers[i] = run[i].key << shared | i;
-  sort(numbers, {spare_.data(), n});
   const std::uint64_t places = std::bit_ceil(n) - 1;
+  for (std::size_t i = 0; i < n; ++i) numbers[i] = (run[i].key << shared & ~places) | i;
+  sort(numbers, {spare_.data(), n});
   for (std::size_t i = 0; i < n; ++i) {
     const Record& record = run[numbers[i] & places];
     keys[i] = record.key;

@@ -23,13 +23,13 @@ struct Record {
 /// cost    O(n) for keys that are spread, O(n) for each 16 leading bits that a crowd shares
 class RunSort {
  public:
-  /// The most bits that keys of a run of n may differ in.
+  /// The most bits that keys of a run of n may differ in, for all of them to count.
   [[nodiscard]] static int most_bits(std::size_t n);
 
-  /// Writes a run in order of its keys.
+  /// Writes a run in order of its keys. From the highest bit that differs down to the lowest,
+  /// most_bits of them count: keys that differ in lower ones alone keep their order.
   ///
-  /// differing    no two keys of the run differ in other bits; at most most_bits of them, from the
-  ///              highest to the lowest
+  /// differing    no two keys of the run differ in other bits
   /// keys, index  as long as the run
   void operator()(std::span<const Record> run, Key differing, std::span<Key> keys,
                   std::span<std::uint32_t> index);

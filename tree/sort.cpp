@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "tree/encode_kernel.hpp"
+#include "tree/pieces.hpp"
 #include "tree/radix_sort.hpp"
 
 namespace vortree::tree {
@@ -50,7 +51,7 @@ std::vector<Key> encode_points(Points points, const Domain& domain, int finest) 
   const std::size_t n = points.size();
   std::vector<Key> keys(n);
   std::size_t strays = 0;
-#pragma omp parallel for schedule(static) reduction(+ : strays) if (n > 8 * portion)
+#pragma omp parallel for schedule(static) reduction(+ : strays) if (n > worth_sharing)
   for (std::size_t first = 0; first < n; first += portion) {
     strays += kernel::codes(&points.x[first], &points.y[first], std::min(portion, n - first), x, y,
                             mask, &keys[first]);

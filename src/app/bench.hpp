@@ -6,10 +6,15 @@
 namespace vortree::app {
 
 struct BenchJob {
-  std::filesystem::path out;  // empty: runs/bench_velocity
+  std::filesystem::path out;  // empty: runs/bench_WHAT
   bool quick = false;
   int threads = 0;          // measured beside one thread; 0: all
-  std::size_t largest = 0;  // most blobs of a set; 0: as VelocityBench says
+  std::size_t largest = 0;  // most blobs or particles of a set; 0: as the bench says
+};
+
+/// blobs   a frames file of which some moments are measured, too; empty: none
+struct TreeBenchJob : BenchJob {
+  std::filesystem::path blobs;
 };
 
 /// Measures the velocity methods, a line each on standard output; leaves velocity.csv and its
@@ -17,5 +22,14 @@ struct BenchJob {
 ///
 /// throws  io::InputError if the folder cannot be written to
 void bench_velocity(const BenchJob& job);
+
+/// Measures the ways to a tree, a line each on standard output; leaves trees.csv, trees_reuse.csv
+/// and their figures in a folder.
+///
+/// throws  io::InputError if the folder cannot be written to or the frames file cannot be read
+void bench_trees(const TreeBenchJob& job);
+
+/// The same for the neighbor searches: neighbors.csv.
+void bench_neighbors(const BenchJob& job);
 
 }  // namespace vortree::app

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/advice.hpp"
 #include "app/places.hpp"
 #include "io/scene.hpp"
 
@@ -31,7 +32,10 @@ std::string list_cases() {
 }
 
 std::string check(const std::string& scene, const std::vector<std::string>& overrides) {
-  return io::resolved(io::load_scene(find_scene(scene), overrides));
+  const io::Scene loaded = io::load_scene(find_scene(scene), overrides);
+  for (const std::string& doubt : doubts(loaded))
+    fmt::print(stderr, "vortree: warning: {}\n", doubt);
+  return io::resolved(loaded);
 }
 
 }  // namespace vortree::app

@@ -9,7 +9,8 @@ namespace vortree::app {
 /// the reason.
 std::string list_cases();
 
-/// The scene with every default written out, as TOML. throws io::InputError if it is not valid
+/// The scene with every default written out, as TOML; what is doubtful about it (advice.hpp) goes
+/// to standard error. throws io::InputError if it is not valid
 std::string check(const std::string& scene, const std::vector<std::string>& overrides);
 
 }  // namespace vortree::app

@@ -12,9 +12,11 @@
 
 #include "app/bench.hpp"
 #include "app/check.hpp"
+#include "app/neighbors.hpp"
 #include "app/places.hpp"
 #include "app/plot.hpp"
 #include "app/run.hpp"
+#include "app/sweep.hpp"
 #include "app/velocity.hpp"
 #include "io/input_error.hpp"
 
@@ -27,7 +29,8 @@ constexpr int done = 0, failed = 1, wrong_input = 2;
 struct Words {
   RunOptions run;
   VelocityJob velocity;
-  BenchJob bench;
+  NeighborsJob neighbors;
+  TreeBenchJob bench;
   std::string benched;
   std::string scene;
   std::vector<std::string> overrides;
@@ -65,7 +68,9 @@ void add_run(CLI::App& program, Words& words) {
       ->type_name("DIR");
   command.add_flag("--resume", words.run.resume, "go on from the last frame in that folder");
   add_threads(command, words);
-  command.footer("example: vortree run cylinder_re550 time.end=1 --out runs/short");
+  command.footer(
+      "example: vortree run cylinder_re550 time.end=1 --out runs/short\n"
+      "a list runs one after the other: vortree run lamb_oseen cores.sigma_max=0.06,0.05");
 }
 
 void add_check(CLI::App& program, Words& words) {
@@ -123,25 +128,63 @@ void add_velocity(CLI::App& program, Words& words) {
   command.footer("example: vortree velocity wake.h5 --out uv.h5 --tolerance 1e-9 --verify");
 }
 
+void add_neighbors(CLI::App& program, Words& words) {
+  using tree::PairRule;
+  static const std::map<std::string, PairRule> rules{
+      {"max", PairRule::max}, {"mean", PairRule::mean}, {"own", PairRule::own}};
+  auto& job = words.neighbors;
+  auto& command =
+      *program.add_subcommand("neighbors", "neighbors of the particles of a particle file");
+  command.add_option("IN", job.in, "HDF5 file with x, y, reach")->required();
+  command
+      .add_option("--out", job.out,
+                  "HDF5 file for start (n + 1), index: the neighbors of particle i are "
+                  "index[start[i]], ..., index[start[i + 1] - 1]")
+      ->required()
+      ->type_name("FILE");
+  command
+      .add_option("--rule", job.rule,
+                  "neighbors are nearer than the larger reach, the mean, the particle's own")
+      ->transform(CLI::CheckedTransformer(rules).description(":{max,mean,own}"))
+      ->type_name("NAME")
+      ->default_str("max");
+  command.add_option("--method", job.method, "how to search")
+      ->check(CLI::IsMember(neighbor_methods()))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command.add_flag("--half", job.half, "list each pair once");
+  command.add_option("--repeat", job.repeat, "search so many times, report median times")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("K")
+      ->capture_default_str();
+  add_threads(command, words);
+  command.footer("example: vortree neighbors sph.h5 --out rows.h5 --rule mean --half");
+}
+
 void add_bench(CLI::App& program, Words& words) {
   auto& command = *program.add_subcommand(
-      "bench", "measure speed and error of every method; writes a CSV file and figures");
+      "bench",
+      "measure every way to a tree, to velocities, or to neighbors; writes CSV files and figures");
   command.add_option("WHAT", words.benched, "what to measure")
       ->required()
-      ->check(CLI::IsMember({"velocity"}));
+      ->check(CLI::IsMember({"trees", "velocity", "neighbors"}));
   command
       .add_option("--out", words.bench.out, "folder for the results; by default runs/bench_WHAT")
       ->type_name("DIR");
-  command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes instead of twenty");
+  command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes, not half an hour");
   command
       .add_option("--threads", words.bench.threads, "measured beside one thread; all by default")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   command
       .add_option("--largest", words.bench.largest,
-                  "most vortices of a set; by default 4000000, quick 1000000")
+                  "most points of a set; by default 4000000 (trees 10000000), quick 1000000")
       ->check(CLI::Range(100, 100000000))
       ->type_name("N");
+  command
+      .add_option("--blobs", words.bench.blobs,
+                  "trees: the frames.h5 of a run, of which some moments are measured, too")
+      ->type_name("FILE");
   command.footer("example: vortree bench velocity --quick --out quick");
 }
 
@@ -152,6 +195,7 @@ void add_commands(CLI::App& program, Words& words) {
   add_run(program, words);
   add_check(program, words);
   add_velocity(program, words);
+  add_neighbors(program, words);
   add_bench(program, words);
   program.add_subcommand("plot", "draw the figures of a run or a bench into its folder")
       ->add_option("DIR", words.folder, "folder of a run or a bench")
@@ -163,7 +207,9 @@ int run_scene(RunOptions options, int threads) {
   if (options.out.empty())
     options.out = std::filesystem::path("runs") / find_scene(options.scene).stem();
   try {
-    return run(options);
+    const SweepPlan plan = sweep_plan(options.overrides);
+    if (!plan.empty()) return sweep(options, plan);
+    return run(options).passed() ? done : failed;
   } catch (const std::invalid_argument& broken) {
     // What a library refuses in the middle of a run is not the user's input.
     return complain(broken.what(), failed);
@@ -176,7 +222,12 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("cases")) fmt::print("{}", list_cases());
   if (program.got_subcommand("check")) fmt::print("{}", check(words.scene, words.overrides));
   if (program.got_subcommand("velocity")) fmt::print("{}\n", velocity(words.velocity).line());
-  if (program.got_subcommand("bench")) bench_velocity(words.bench);
+  if (program.got_subcommand("neighbors")) fmt::print("{}\n", neighbors(words.neighbors).line());
+  if (program.got_subcommand("bench")) {
+    if (words.benched == "trees") bench_trees(words.bench);
+    if (words.benched == "velocity") bench_velocity(words.bench);
+    if (words.benched == "neighbors") bench_neighbors(words.bench);
+  }
   if (program.got_subcommand("plot")) plot(words.folder);
   return done;
 }

@@ -1,8 +1,10 @@
 #include "app/flow_case.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "vortex/lattice.hpp"
+#include "vortex/outline.hpp"
 
 namespace vortree::app {
 namespace {
@@ -12,7 +14,7 @@ vortex::Vec2 vec(const io::Vec2& a) {
 }
 
 std::unique_ptr<vortex::Velocity> velocity_of(const io::SceneVelocity& v) {
-  const fmm::Cores cores = v.cores == io::PairCores::mean ? fmm::Cores::mean : fmm::Cores::source;
+  const fmm::Cores cores = v.cores == io::PairCores::source ? fmm::Cores::source : fmm::Cores::mean;
   if (v.method == io::VelocityMethod::direct) return vortex::velocity_by_direct_sum(cores);
   return vortex::velocity_by_plan({
       .tolerance = v.tolerance,
@@ -22,9 +24,45 @@ std::unique_ptr<vortex::Velocity> velocity_of(const io::SceneVelocity& v) {
       .builder =
           v.builder == io::TreeBuilder::reverse ? fmm::Builder::reverse : fmm::Builder::forward,
       .cores = cores,
-      .method =
-          v.method == io::VelocityMethod::fmm ? fmm::Method::fmm : fmm::Method::boxes,
+      .method = v.method == io::VelocityMethod::fmm ? fmm::Method::fmm : fmm::Method::boxes,
   });
+}
+
+vortex::Diffusion diffusion_of(io::DiffusionKind kind) {
+  switch (kind) {
+    case io::DiffusionKind::random_walk:
+      return vortex::Diffusion::random_walk;
+    case io::DiffusionKind::particle_exchange:
+      return vortex::Diffusion::particle_exchange;
+    case io::DiffusionKind::core_spreading:
+      break;
+  }
+  return vortex::Diffusion::core_spreading;
+}
+
+std::unique_ptr<vortex::Shape> shape_of(const io::SceneBody& body) {
+  if (body.shape == io::Shape::ellipse)
+    return vortex::ellipse(vec(body.centre), body.radius, *body.across,
+                           body.incidence * std::numbers::pi / 180);
+  return vortex::circle(vec(body.centre), body.radius);
+}
+
+std::optional<vortex::Box> box_of(const io::SceneMerging& merging) {
+  if (!merging.box) return std::nullopt;
+  const auto [x0, y0, x1, y1] = *merging.box;
+  return vortex::Box{{x0, y0}, {x1, y1}};
+}
+
+/// One vortex on the left, and one of circulation `right` on the right.
+vortex::Blobs two_vortices(vortex::Lattice lattice, const io::SceneInitial& i, double right) {
+  const vortex::Vec2 half{0.5 * *i.separation, 0};
+  lattice.centre = vec(i.centre) - half;
+  vortex::Blobs both = vortex::gaussian_ellipse(lattice, i.circulation, i.core, i.core);
+  lattice.centre = vec(i.centre) + half;
+  const vortex::Blobs other = vortex::gaussian_ellipse(lattice, right, i.core, i.core);
+  for (std::size_t k = 0; k < other.size(); ++k)
+    both.append(other.centre(k), other.gamma[k], other.sigma[k]);
+  return both;
 }
 
 }  // namespace
@@ -32,9 +70,8 @@ std::unique_ptr<vortex::Velocity> velocity_of(const io::SceneVelocity& v) {
 FlowCase flow_case(const io::Scene& scene) {
   FlowCase made;
   if (scene.body) {
-    made.wall = std::make_unique<vortex::Wall>(
-        vortex::circle(vec(scene.body->centre), scene.body->radius), scene.body->panels);
-    made.diameter = 2 * scene.body->radius;
+    made.wall = std::make_unique<vortex::Wall>(shape_of(*scene.body), scene.body->panels);
+    made.diameter = io::length_of(*scene.body);
   }
   const double speed = std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
   if (speed > 0) made.speed = speed;
@@ -44,14 +81,19 @@ FlowCase flow_case(const io::Scene& scene) {
       .dt = scene.time.dt,
       .scheme =
           scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4 : vortex::Scheme::rk2,
+      .carrying_cores = scene.velocity.cores == io::PairCores::both ? std::numbers::sqrt2 : 1,
       .sigma_0 = scene.cores.sigma_0,
+      .diffusion = diffusion_of(scene.diffusion.kind),
+      .area = scene.initial ? std::pow(scene.initial->spacing * scene.cores.sigma_0, 2) : 0,
       .splitting = {.sigma_max = scene.cores.sigma_max,
                     .alpha = scene.splitting.alpha,
                     .children = scene.splitting.children,
-                    .seed = static_cast<std::uint64_t>(scene.seed)},
+                    .seed = static_cast<std::uint64_t>(scene.seed),
+                    .coarsening = {scene.cores.coarsen_from.value_or(INFINITY)}},
       .merging = {.tolerance = scene.merging.tolerance,
                   .reach = scene.merging.reach,
                   .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
+      .box = box_of(scene.merging),
       .wall = made.wall.get(),
       .velocity = made.velocity.get(),
   };
@@ -61,8 +103,23 @@ FlowCase flow_case(const io::Scene& scene) {
 vortex::Blobs initial_blobs(const io::Scene& scene) {
   if (!scene.initial) return {};
   const io::SceneInitial& i = *scene.initial;
-  return vortex::gaussian_vortex(vec(i.centre), i.circulation, i.core, scene.cores.sigma_0,
-                                 i.spacing * scene.cores.sigma_0);
+  const vortex::Lattice lattice{vec(i.centre), scene.cores.sigma_0, i.spacing * scene.cores.sigma_0,
+                                i.faintest};
+  switch (i.kind) {
+    case io::InitialKind::gaussian_ellipse:
+      return vortex::gaussian_ellipse(lattice, i.circulation, i.core, *i.core_across);
+    case io::InitialKind::kirchhoff_ellipse:
+      return vortex::uniform_ellipse(lattice, i.circulation, i.core, *i.core_across);
+    case io::InitialKind::corotating_pair:
+      return two_vortices(lattice, i, i.circulation);
+    case io::InitialKind::dipole:
+      return two_vortices(lattice, i, -i.circulation);
+    case io::InitialKind::tripole:
+      return vortex::perturbed_vortex(lattice, i.circulation, i.core, *i.perturbation);
+    case io::InitialKind::lamb_oseen:
+      break;
+  }
+  return vortex::gaussian_ellipse(lattice, i.circulation, i.core, i.core);
 }
 
 }  // namespace vortree::app

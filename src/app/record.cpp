@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "vortex/form.hpp"
 #include "vortex/near_wake.hpp"
 
 namespace vortree::app {
@@ -32,6 +33,12 @@ std::vector<std::string> Record::names() {
           "cl_wall",
           "bubble_length",
           "separation_deg",
+          "quadrupole_xx",
+          "quadrupole_xy",
+          "separation",
+          "circulation_plus",
+          "plus_x",
+          "plus_y",
           "seconds",
           "seconds_convect",
           "seconds_wall",
@@ -48,12 +55,21 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
   record.t = static_cast<double>(step) * p.dt;
   record.T = p.wall ? 2 * flow.speed * record.t / flow.diameter : record.t;
   record.blobs = static_cast<double>(blobs.size());
-  record.circulation = now.circulation;
-  const vortex::Vec2 moment = p.wall ? wake.moment : now.moment;
+  record.circulation = now.circulation + wake.retired.gamma;
+  const vortex::Vec2 moment = p.wall ? wake.moment : now.moment + wake.retired.moment;
   record.impulse_x = moment.y;
   record.impulse_y = -moment.x;
   record.second_moment = now.second;
-  if (!p.wall) return record;
+  if (!p.wall) {
+    const vortex::Form form = vortex::form(blobs);
+    record.quadrupole_xx = form.quadrupole.x;
+    record.quadrupole_xy = form.quadrupole.y;
+    record.separation = form.separation;
+    record.circulation_plus = form.positive;
+    record.plus_x = form.positive_centre.x;
+    record.plus_y = form.positive_centre.y;
+    return record;
+  }
   record.pressure_x = wake.pressure.x;
   record.pressure_y = wake.pressure.y;
   record.friction_x = wake.friction.x;

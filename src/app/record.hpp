@@ -14,22 +14,26 @@ namespace vortree::app {
 ///
 /// t, T           time, and U t/R (t where there is no body)
 /// blobs          how many
-/// circulation    of blobs and body; stays 0 for an impulsive start
+/// circulation    of blobs, those that have left, and body; stays 0 for an impulsive start
 /// impulse_x, _y  of blobs and sheet, per unit density
 /// second_moment  sum gamma (|X|^2 + sigma^2)
 /// cd_*, cl_*     drag and lift by the rate of change of impulse, and by the wall sheet (pressure)
 ///                with the wall vorticity (friction); 0 without a body
 /// bubble_length  in diameters; separation_deg from the rear
+/// quadrupole_*, separation, circulation_plus, plus_*   the form of free vorticity
+/// (vortex/form.hpp:
+///                plus is the part that turns anticlockwise); 0 with a body
 /// seconds        since the start; then by phase, of this step
 struct Record {
   double t = 0, T = 0, blobs = 0, circulation = 0, impulse_x = 0, impulse_y = 0, second_moment = 0,
          cd_impulse = 0, cd_wall = 0, cl_impulse = 0, cl_wall = 0, bubble_length = 0,
-         separation_deg = 0, seconds = 0, seconds_convect = 0, seconds_wall = 0, seconds_split = 0,
-         seconds_merge = 0, seconds_output = 0;
+         separation_deg = 0, quadrupole_xx = 0, quadrupole_xy = 0, separation = 0,
+         circulation_plus = 0, plus_x = 0, plus_y = 0, seconds = 0, seconds_convect = 0,
+         seconds_wall = 0, seconds_split = 0, seconds_merge = 0, seconds_output = 0;
   // Behind the columns: forces per unit density, before they become coefficients.
   double pressure_x = 0, pressure_y = 0, friction_x = 0, friction_y = 0;
 
-  static constexpr std::size_t columns = 19, numbers = 23;
+  static constexpr std::size_t columns = 25, numbers = 29;
   std::array<double, numbers> values() const;
   static Record from(std::span<const double> values);
   static std::vector<std::string> names();  ///< of the columns

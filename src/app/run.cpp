@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/advice.hpp"
 #include "app/clock.hpp"
 #include "app/flow_case.hpp"
 #include "app/memory.hpp"
@@ -19,11 +20,13 @@
 #include "app/plot.hpp"
 #include "app/progress.hpp"
 #include "app/record.hpp"
+#include "app/sanity.hpp"
 #include "app/signals.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
 #include "io/report.hpp"
 #include "io/table.hpp"
+#include "vortex/energy.hpp"
 
 namespace vortree::app {
 namespace {
@@ -31,6 +34,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> wall_columns{"t", "T", "angle_deg", "vorticity", "sheet"};
+const std::vector<std::string> energy_columns{"t", "energy", "enstrophy"};
+constexpr std::size_t most_for_energy = 20000;  // blobs: its sum is over all pairs
 
 /// Numbers of a whole run, over all its resumptions.
 struct Totals {
@@ -41,11 +46,15 @@ struct Totals {
 class Run {
  public:
   Run(io::Scene scene, const RunOptions& options)
-      : scene_(std::move(scene)), folder_(options.out), flow_(flow_case(scene_)), history_(flow_) {}
+      : scene_(std::move(scene)),
+        folder_(options.out),
+        figures_(options.figures),
+        flow_(flow_case(scene_)),
+        history_(flow_) {}
 
   void begin();
   void resume();
-  int go();
+  RunResult go();
 
  private:
   long last_step() const { return std::lround(scene_.time.end / scene_.time.dt); }
@@ -59,9 +68,9 @@ class Run {
   void save_wall();
   void save_fields();
   void observe(const vortex::Wake& wake);
-  void require_finite() const;
+  [[noreturn]] void give_up(const std::string& reason, vortex::Blobs last_good);
   double drift(const Record& record) const;
-  int finish();
+  RunResult finish();
   io::Json summary(std::span<const Verdict> verdicts) const;
   History::Write writer() {
     return [this](const Record& r) {
@@ -72,13 +81,14 @@ class Run {
 
   io::Scene scene_;
   fs::path folder_;
+  bool figures_;
   FlowCase flow_;
   vortex::Blobs blobs_;
   History history_;
   Totals totals_;
   Stopwatch watch_;
   Stopwatch::Phases before_step_;
-  std::optional<io::Report> report_, wall_report_;
+  std::optional<io::Report> report_, wall_report_, energy_report_;
   std::vector<double> sheet_, wall_vorticity_;
   double second_moment_at_start_ = 0;
   long step_ = 0, saved_step_ = -1;
@@ -99,7 +109,10 @@ void Run::begin() {
   fs::remove(folder_ / "fields.h5");
   fs::remove(folder_ / "summary.json");
   report_.emplace(folder_ / "report.csv", Record::names());
-  if (flow_.wall) wall_report_.emplace(folder_ / "wall.csv", wall_columns);
+  if (flow_.wall)
+    wall_report_.emplace(folder_ / "wall.csv", wall_columns);
+  else
+    energy_report_.emplace(folder_ / "energy.csv", energy_columns);
   blobs_ = initial_blobs(scene_);
   const vortex::Wake wake = vortex::start(blobs_, flow_.problem);
   observe(wake);
@@ -111,6 +124,7 @@ void Run::begin() {
 std::string difference(const io::Scene& a, const io::Scene& b) {
   if (a.flow != b.flow) return "[flow]";
   if (a.body != b.body) return "[body]";
+  if (a.diffusion != b.diffusion) return "[diffusion]";
   if (a.cores != b.cores) return "[cores]";
   if (a.splitting != b.splitting) return "[splitting]";
   if (a.merging != b.merging) return "[merging]";
@@ -138,12 +152,16 @@ void Run::resume() {
   const std::vector<double>& t = frame.state.at("totals");
   totals_ = {t.at(0), t.at(1), t.at(2), t.at(3)};
   second_moment_at_start_ = t.at(4);
+  if (const auto gone = frame.state.find("retired"); gone != frame.state.end())
+    flow_.problem.retired = {gone->second.at(0), {gone->second.at(1), gone->second.at(2)}};
   io::rewind_frames(folder_, step_);
   io::rewind_fields(folder_, time(step_));
   // The row of the frame itself waits in the history for the step after it.
   report_ = io::Report::resume(folder_ / "report.csv", Record::names(), time(step_ - 1));
   if (flow_.wall)
     wall_report_ = io::Report::resume(folder_ / "wall.csv", wall_columns, time(step_));
+  else
+    energy_report_ = io::Report::resume(folder_ / "energy.csv", energy_columns, time(step_));
   fmt::print(stderr, "vortree: going on from step {}, t = {:g}\n", step_, time(step_));
 }
 
@@ -174,22 +192,31 @@ void Run::observe(const vortex::Wake& wake) {
   history_.add(record, writer());
 }
 
-void Run::require_finite() const {
-  for (std::size_t i = 0; i < blobs_.size(); ++i)
-    if (!std::isfinite(blobs_.x[i] + blobs_.y[i] + blobs_.gamma[i] + blobs_.sigma[i]))
-      throw std::runtime_error(fmt::format(
-          "blob {} of {} is no longer finite after step {}, t = {:g}; the last good frame is that "
-          "of "
-          "step {} in {}",
-          i, blobs_.size(), step_, time(step_), saved_step_, (folder_ / "frames.h5").string()));
+/// Saves the state before the step that broke, and says so.
+void Run::give_up(const std::string& reason, vortex::Blobs last_good) {
+  const long failed = step_;
+  blobs_ = std::move(last_good);
+  --step_;
+  save();
+  throw std::runtime_error(
+      fmt::format("step {}, t = {:g}: {}; the last good frame is that of step {} in {}", failed,
+                  time(failed), reason, saved_step_, (folder_ / "frames.h5").string()));
 }
 
 void Run::advance() {
   ++step_;
-  const vortex::Wake wake = vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
-                                         [this](std::string_view phase) { watch_.begin(phase); });
+  vortex::Blobs before = blobs_;
+  vortex::Wake wake;
+  try {
+    wake = vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
+                        [this](std::string_view phase) { watch_.begin(phase); });
+  } catch (const std::exception& refused) {
+    give_up(refused.what(), std::move(before));
+  }
   watch_.begin("output");
-  require_finite();
+  if (const std::string reason = broken(blobs_, before.size(), flow_, time(step_)); !reason.empty())
+    give_up(reason, std::move(before));
+  flow_.problem.retired = wake.retired;
   observe(wake);
   watch_.begin("output");
   if (step_ % steps_between_frames() == 0 || step_ == last_step()) save();
@@ -213,10 +240,15 @@ void Run::save() {
   frame.state["totals"] = {totals_.particle_steps, totals_.most_blobs,
                            totals_.seconds + watch_.elapsed(), totals_.largest_drift,
                            second_moment_at_start_};
+  const vortex::Retired& gone = flow_.problem.retired;
+  frame.state["retired"] = {gone.gamma, gone.moment.x, gone.moment.y};
   if (flow_.wall) {
     frame.state["sheet"] = sheet_;
     frame.state["wall_vorticity"] = wall_vorticity_;
     save_wall();
+  } else if (blobs_.size() <= most_for_energy) {
+    const vortex::Energy now = vortex::energy(blobs_);
+    energy_report_->row(std::array{time(step_), now.energy, now.enstrophy});
   }
   io::append_frame(folder_, frame);
   saved_step_ = step_;
@@ -250,7 +282,7 @@ double Run::drift(const Record& now) const {
   return expected == 0 ? 0 : std::abs(now.second_moment / expected - 1);
 }
 
-int Run::go() {
+RunResult Run::go() {
   const double start = time(step_);
   StopRequest stop;
   ProgressLine progress;
@@ -269,7 +301,7 @@ int Run::go() {
       fmt::print(stderr,
                  "vortree: stopped at step {}, t = {:g}; the same command with --resume goes on\n",
                  step_, time(step_));
-      return 1;
+      return {};
     }
   }
   progress.clear();
@@ -305,25 +337,36 @@ io::Json Run::summary(std::span<const Verdict> verdicts) const {
   return json;
 }
 
-int Run::finish() {
+RunResult Run::finish() {
   history_.finish(writer());
   const std::vector<Verdict> list = verdicts(scene_, folder_, blobs_, flow_);
   const io::Json json = summary(list);
   io::write_json(folder_ / "summary.json", json);
-  plot(folder_);
+  if (figures_) plot(folder_);
   const double seconds = totals_.seconds + watch_.elapsed();
   fmt::print(
-      "{} steps, {} blobs at the end, {:.1f} s with figures, {:.2f} million particle-steps/s; "
-      "results in {}\n",
-      step_, blobs_.size(), seconds, totals_.particle_steps / seconds / 1e6, folder_.string());
+      "{} steps, {} blobs at the end, {:.1f} s{}, {:.2f} million particle-steps/s; results in {}\n",
+      step_, blobs_.size(), seconds, figures_ ? " with figures" : "",
+      totals_.particle_steps / seconds / 1e6, folder_.string());
   fmt::print("{}\n", verdict_line(list));
-  return std::ranges::all_of(list, &Verdict::passed) ? 0 : 1;
+  return {.finished = true,
+          .verdicts = list,
+          .steps = step_,
+          .most_blobs = totals_.most_blobs,
+          .particle_steps = totals_.particle_steps,
+          .seconds = seconds};
 }
 
 }  // namespace
 
-int run(const RunOptions& options) {
+bool RunResult::passed() const {
+  return finished && std::ranges::all_of(verdicts, &Verdict::passed);
+}
+
+RunResult run(const RunOptions& options) {
   io::Scene scene = io::load_scene(find_scene(options.scene), options.overrides);
+  for (const std::string& doubt : doubts(scene))
+    fmt::print(stderr, "vortree: warning: {}\n", doubt);
   Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();
   return run.go();

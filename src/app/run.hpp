@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "app/outcome.hpp"
+
 namespace vortree::app {
 
 struct RunOptions {
@@ -12,14 +14,27 @@ struct RunOptions {
   std::filesystem::path out;           // never empty; runs/<scene stem> unless the user chose
   bool resume = false;
   int threads = 0;  // 0: all; OpenMP is already told
+  bool figures = true;
+};
+
+/// What came of a run.
+///
+/// finished  false: the user stopped it, it can be resumed
+/// seconds   wall time of all its parts
+struct RunResult {
+  bool finished = false;
+  std::vector<Verdict> verdicts{};
+  long steps = 0;
+  double most_blobs = 0, particle_steps = 0, seconds = 0;
+
+  bool passed() const;
 };
 
 /// Runs a scene from its start, or from the last frame in `out`, to its end; see README.md for what
 /// it leaves in `out`.
 ///
-/// returns  0 done, 1 the run failed or its check did
 /// throws   io::InputError for wrong input (exit code 2); any other exception is a failed run (exit
 /// code 1)
-int run(const RunOptions& options);
+RunResult run(const RunOptions& options);
 
 }  // namespace vortree::app

@@ -119,7 +119,7 @@ Particles read_particles(const fs::path& path, Columns columns) {
   reader.require(
       "sigma", p.sigma, [](double v) { return v >= 0; }, ">= 0");
   reader.require(
-      "reach", p.reach, [](double v) { return v > 0; }, "> 0");
+      "reach", p.reach, [](double v) { return v >= 0; }, ">= 0");
   return p;
 }
 

@@ -32,7 +32,7 @@ struct Columns {
 ///
 /// throws  InputError for: no such file, a folder, not HDF5, a required dataset missing, not
 ///         one-dimensional, not numbers, lengths that differ (which, how many), NaN or infinity
-///         (dataset and index), sigma < 0, reach <= 0
+///         (dataset and index), sigma < 0, reach < 0
 [[nodiscard]] Particles read_particles(const std::filesystem::path&, Columns = {});
 
 using Values = std::variant<std::span<const double>, std::span<const std::int64_t>,

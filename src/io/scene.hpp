@@ -15,35 +15,51 @@ namespace vortree::io {
 
 using Vec2 = std::array<double, 2>;
 
-enum class Shape { circle };
-enum class InitialKind { lamb_oseen };
+enum class Shape { circle, ellipse };
+enum class InitialKind {
+  lamb_oseen,
+  gaussian_ellipse,
+  kirchhoff_ellipse,
+  corotating_pair,
+  dipole,
+  tripole
+};
+enum class DiffusionKind { core_spreading, random_walk, particle_exchange };
 enum class TimeScheme { rk2, rk4 };
 enum class VelocityMethod { fmm, boxes, direct };
 enum class TreeBuilder { reverse, forward };
-enum class PairCores { mean, source };
-enum class ExactAnswer { lamb_oseen };
+enum class PairCores { mean, source, both };
+enum class ExactAnswer { lamb_oseen, kirchhoff_ellipse, corotating_pair, dipole };
 
-/// Kinematic viscosity nu >= 0 [L^2/T] and the free stream [L/T].
+/// Kinematic viscosity nu >= 0 [L^2/T] and the free stream [L/T]. reynolds = U D/nu gives nu by the
+/// body's size D and the stream's speed U; a loaded scene always has nu.
 struct SceneFlow {
   double nu = 0;
   Vec2 stream{0, 0};
+  std::optional<double> reynolds{};
   bool operator==(const SceneFlow&) const = default;
 };
 
-/// A fixed body with `panels` wall elements; the scene has none in free space.
+/// A fixed body with `panels` wall elements; the scene has none in free space. An ellipse has the
+/// half axes radius and across, the first turned clockwise by `incidence` degrees from x. Twice the
+/// radius is the length that coefficients and the Reynolds number go by.
 struct SceneBody {
   Shape shape = Shape::circle;
   double radius = 0.5;
+  std::optional<double> across{};
+  double incidence = 0;
   Vec2 centre{0, 0};
   int panels = 520;
   bool operator==(const SceneBody&) const = default;
 };
 
 /// sigma_0: core of a blob released at the wall, or of an initial blob. A blob wider than sigma_max
-/// splits.
+/// splits; further than coarsen_from from the body cores, and the tolerance of mergers, may be
+/// (distance/coarsen_from)^(3/4) times as wide (vortex/coarsening.hpp).
 struct SceneCores {
   double sigma_0 = 0;
   double sigma_max = 0;
+  std::optional<double> coarsen_from{};
   bool operator==(const SceneCores&) const = default;
 };
 
@@ -54,22 +70,33 @@ struct SceneSplitting {
   bool operator==(const SceneSplitting&) const = default;
 };
 
-/// tolerance 0: blobs never merge. reach is in cores; merged sigma^2 <= cap sigma_max^2.
+/// tolerance 0: blobs never merge. reach is in cores; merged sigma^2 <= cap sigma_max^2. Blobs that
+/// leave the box [x0, y0, x1, y1] are taken away and accounted for (vortex/retire.hpp).
 struct SceneMerging {
   double tolerance = 0.02;
   double reach = 2;
   double cap = 1.1;
+  std::optional<std::array<double, 4>> box{};
   bool operator==(const SceneMerging&) const = default;
 };
 
-/// The vorticity at t = 0: a Lamb-Oseen vortex of core `core` > sigma_0, cut into blobs `spacing`
-/// sigma_0 apart.
+/// The vorticity at t = 0 around `centre`, cut into blobs `spacing` sigma_0 apart; those below
+/// `faintest` of the strongest are left out.
+///
+/// lamb_oseen         a Gaussian vortex of width core > sigma_0
+/// gaussian_ellipse   half widths core along x and core_across along y
+/// kirchhoff_ellipse  uniform vorticity within half axes core and core_across
+/// corotating_pair    two Gaussian vortices, each of `circulation`, `separation` apart along x
+/// dipole             the same, of opposite signs; it travels along +y
+/// tripole            a Gaussian vortex times 1 + perturbation (x^2 - y^2)/core^2
 struct SceneInitial {
   InitialKind kind = InitialKind::lamb_oseen;
   double circulation = 1;
   double core = 0;
   double spacing = 1;
   Vec2 centre{0, 0};
+  std::optional<double> core_across{}, separation{}, perturbation{};
+  double faintest = 1e-12;
   bool operator==(const SceneInitial&) const = default;
 };
 
@@ -108,7 +135,17 @@ struct SceneOutput {
 /// *_max, *_rms   largest and root-mean-square deviation allowed. Relative for drag, bubble
 ///                length, vorticity, velocity, moments, wall vorticity and routes (one drag route
 ///                against the other); lift_max is a coefficient, blobs_max a count
+/// lift_routes_max  one lift route against the other, relative to the largest lift
 /// *_from         only for T >= this
+/// exact          the answer known by heart that vorticity_max and velocity_max (lamb_oseen),
+///                rotation_max (kirchhoff_ellipse: mean rate of turning), speed_max (dipole:
+///                distance travelled) or merger_max (corotating_pair: core over separation when
+///                that has fallen by 1 %, off 0.22) are measured from
+/// quadrupole_max, separation_max  off moments_reference, relative to its largest
+/// strouhal, mean_drag  of a cylinder that sheds vortices, from T = shedding_from on: the highest
+///                peak of the lift's spectrum times D/U, and the mean of the drag by impulse; the
+///                first may be off by strouhal_max relative, the second by mean_drag_max
+/// energy_max     what the energy differs from that at the start and what viscosity took, relative
 /// *_reference    files as written, relative to the folder of the scene: see reference_path
 struct SceneCheck {
   std::optional<std::string> drag_reference{};
@@ -118,10 +155,16 @@ struct SceneCheck {
   std::optional<double> bubble_max{}, bubble_from{};
   std::optional<double> separation_max_deg{}, separation_from{};
   std::optional<double> lift_max{};
-  std::optional<double> routes_max{}, routes_from{};
+  std::optional<double> routes_max{}, routes_from{}, lift_routes_max{};
   std::optional<ExactAnswer> exact{};
   std::optional<double> vorticity_max{}, velocity_max{}, second_moment_max{};
   std::optional<double> circulation_max{}, impulse_max{};
+  std::optional<std::string> moments_reference{};
+  std::optional<double> quadrupole_max{}, separation_max{};
+  std::optional<double> rotation_max{}, speed_max{}, merger_max{}, energy_max{};
+  std::optional<double> strouhal{}, strouhal_max{};
+  std::optional<double> mean_drag{}, mean_drag_max{};
+  std::optional<double> shedding_from{};
   std::optional<double> blobs_max{};
   bool operator==(const SceneCheck&) const = default;
 };
@@ -133,11 +176,21 @@ struct SceneOrigin {
   std::vector<std::string> overrides{};
 };
 
+/// core_spreading: wider cores, split and merged; random_walk and particle_exchange: cores stay as
+/// they are, in free space only.
+struct SceneDiffusion {
+  DiffusionKind kind = DiffusionKind::core_spreading;
+  bool operator==(const SceneDiffusion&) const = default;
+};
+
 /// One run, fully described. Every key of the TOML file is the member of the same name.
 struct Scene {
   std::string title{};
   std::int64_t seed = 1;
+  /// The error aimed at, by which keys that are not written are chosen: see scene_choice.hpp.
+  std::optional<double> accuracy{};
   SceneFlow flow{};
+  SceneDiffusion diffusion{};
   std::optional<SceneBody> body{};
   SceneCores cores{};
   SceneSplitting splitting{};
@@ -176,9 +229,13 @@ bool operator==(const Scene&, const Scene&);
 /// Where a reference file of [check] lies: relative to the folder of the scene file.
 [[nodiscard]] std::filesystem::path reference_path(const Scene&, std::string_view written);
 
+/// The size of a body that coefficients and the Reynolds number go by: twice its radius.
+[[nodiscard]] double length_of(const SceneBody&);
+
 /// The words of the TOML file: "rk2", "boxes", "reverse", ...
 [[nodiscard]] std::string_view word(Shape);
 [[nodiscard]] std::string_view word(InitialKind);
+[[nodiscard]] std::string_view word(DiffusionKind);
 [[nodiscard]] std::string_view word(TimeScheme);
 [[nodiscard]] std::string_view word(VelocityMethod);
 [[nodiscard]] std::string_view word(TreeBuilder);

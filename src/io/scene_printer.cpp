@@ -86,6 +86,9 @@ std::string_view word(Shape value) {
 std::string_view word(InitialKind value) {
   return word_of(value);
 }
+std::string_view word(DiffusionKind value) {
+  return word_of(value);
+}
 std::string_view word(TimeScheme value) {
   return word_of(value);
 }

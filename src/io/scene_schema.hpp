@@ -42,20 +42,24 @@ constexpr Rule required(Rule rule) {
 template <class E>
 inline constexpr std::array<std::string_view, 0> words_of{};
 template <>
-inline constexpr std::array<std::string_view, 1> words_of<Shape>{"circle"};
+inline constexpr std::array<std::string_view, 2> words_of<Shape>{"circle", "ellipse"};
 template <>
-inline constexpr std::array<std::string_view, 1> words_of<InitialKind>{"lamb_oseen"};
+inline constexpr std::array<std::string_view, 6> words_of<InitialKind>{
+    "lamb_oseen", "gaussian_ellipse", "kirchhoff_ellipse", "corotating_pair", "dipole", "tripole"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<DiffusionKind>{
+    "core_spreading", "random_walk", "particle_exchange"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<TimeScheme>{"rk2", "rk4"};
 template <>
-inline constexpr std::array<std::string_view, 3> words_of<VelocityMethod>{"fmm", "boxes",
-                                                                          "direct"};
+inline constexpr std::array<std::string_view, 3> words_of<VelocityMethod>{"fmm", "boxes", "direct"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<TreeBuilder>{"reverse", "forward"};
 template <>
-inline constexpr std::array<std::string_view, 2> words_of<PairCores>{"mean", "source"};
+inline constexpr std::array<std::string_view, 3> words_of<PairCores>{"mean", "source", "both"};
 template <>
-inline constexpr std::array<std::string_view, 1> words_of<ExactAnswer>{"lamb_oseen"};
+inline constexpr std::array<std::string_view, 4> words_of<ExactAnswer>{
+    "lamb_oseen", "kirchhoff_ellipse", "corotating_pair", "dipole"};
 
 /// T or const T: the reader walks a scene to be filled, the printer one that is finished.
 template <class S, class T>
@@ -63,22 +67,32 @@ concept Either = std::same_as<std::remove_const_t<S>, T>;
 
 template <Either<SceneFlow> S, class Visit>
 void walk(S& flow, Visit& key) {
-  key("nu", flow.nu, Rule{.low = 0, .words = "viscosity must be >= 0", .required = true});
+  key("nu", flow.nu, Rule{.low = 0, .words = "viscosity must be >= 0"});
   key("stream", flow.stream, anything);
+  key("reynolds", flow.reynolds, positive);
+}
+
+template <Either<SceneDiffusion> S, class Visit>
+void walk(S& diffusion, Visit& key) {
+  key("kind", diffusion.kind, anything);
 }
 
 template <Either<SceneBody> S, class Visit>
 void walk(S& body, Visit& key) {
   key("shape", body.shape, anything);
   key("radius", body.radius, required(positive));
+  key("across", body.across, positive);
+  key("incidence", body.incidence,
+      Rule{.low = -180, .high = 180, .words = "it must lie in -180 .. 180 degrees"});
   key("centre", body.centre, anything);
   key("panels", body.panels, Rule{.low = 8, .words = "a body needs at least 8 panels"});
 }
 
 template <Either<SceneCores> S, class Visit>
 void walk(S& cores, Visit& key) {
-  key("sigma_0", cores.sigma_0, required(positive));
-  key("sigma_max", cores.sigma_max, required(positive));
+  key("sigma_0", cores.sigma_0, positive);
+  key("sigma_max", cores.sigma_max, positive);
+  key("coarsen_from", cores.coarsen_from, positive);
 }
 
 template <Either<SceneSplitting> S, class Visit>
@@ -98,6 +112,7 @@ void walk(S& merging, Visit& key) {
   key("tolerance", merging.tolerance, not_negative);
   key("reach", merging.reach, positive);
   key("cap", merging.cap, positive);
+  key("box", merging.box, anything);
 }
 
 template <Either<SceneInitial> S, class Visit>
@@ -107,11 +122,16 @@ void walk(S& initial, Visit& key) {
   key("core", initial.core, required(positive));
   key("spacing", initial.spacing, positive);
   key("centre", initial.centre, anything);
+  key("core_across", initial.core_across, positive);
+  key("separation", initial.separation, positive);
+  key("perturbation", initial.perturbation, anything);
+  key("faintest", initial.faintest,
+      Rule{.low = 0, .high = 0.1, .above_low = true, .words = "it must lie between 0 and 0.1"});
 }
 
 template <Either<SceneTime> S, class Visit>
 void walk(S& time, Visit& key) {
-  key("dt", time.dt, required(positive));
+  key("dt", time.dt, positive);
   key("end", time.end, required(positive));
   key("scheme", time.scheme, anything);
 }
@@ -155,12 +175,25 @@ void walk(S& check, Visit& key) {
   key("lift_max", check.lift_max, positive);
   key("routes_max", check.routes_max, positive);
   key("routes_from", check.routes_from, not_negative);
+  key("lift_routes_max", check.lift_routes_max, positive);
   key("exact", check.exact, anything);
   key("vorticity_max", check.vorticity_max, positive);
   key("velocity_max", check.velocity_max, positive);
   key("second_moment_max", check.second_moment_max, positive);
   key("circulation_max", check.circulation_max, positive);
   key("impulse_max", check.impulse_max, positive);
+  key("moments_reference", check.moments_reference, anything);
+  key("quadrupole_max", check.quadrupole_max, positive);
+  key("separation_max", check.separation_max, positive);
+  key("rotation_max", check.rotation_max, positive);
+  key("speed_max", check.speed_max, positive);
+  key("merger_max", check.merger_max, positive);
+  key("energy_max", check.energy_max, positive);
+  key("strouhal", check.strouhal, positive);
+  key("strouhal_max", check.strouhal_max, positive);
+  key("mean_drag", check.mean_drag, positive);
+  key("mean_drag_max", check.mean_drag_max, positive);
+  key("shedding_from", check.shedding_from, not_negative);
   key("blobs_max", check.blobs_max, positive);
 }
 
@@ -170,9 +203,12 @@ template <Either<Scene> S, class Visit>
 void walk(S& scene, Visit& visit) {
   visit("title", scene.title, anything);
   visit("seed", scene.seed, not_negative);
+  visit("accuracy", scene.accuracy,
+        Rule{.low = 0, .high = 1, .above_low = true, .words = "it must lie between 0 and 1"});
   visit.table("flow", scene.flow, true);
   visit.table("body", scene.body, false);
-  visit.table("cores", scene.cores, true);
+  visit.table("diffusion", scene.diffusion, false);
+  visit.table("cores", scene.cores, false);
   visit.table("splitting", scene.splitting, false);
   visit.table("merging", scene.merging, false);
   visit.table("initial", scene.initial, false);

@@ -28,7 +28,7 @@ class Remainder {
 
   void look_at(Number i) {
     const Part& p = parts_[i];
-    candidates_.put(slot_[i], p.x, p.y, std::abs(p.gamma), p.square);
+    candidates_.put(slot_[i], p.x, p.y, std::abs(p.gamma), p.square, p.widening);
   }
   double reach_of(std::size_t slot) const;
   std::size_t seek_together(std::span<const Number> seeking);
@@ -69,9 +69,7 @@ Remainder::Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Mer
       slot_(parts.size()),
       choice_(parts.size()),
       paired_(parts.size()) {
-  for (auto* column : {&candidates_.x, &candidates_.y, &candidates_.gamma, &candidates_.square,
-                       &candidates_.inverse_cube})
-    column->resize(parts.size());
+  candidates_.resize(parts.size());
   const std::ptrdiff_t n = std::ssize(parts);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t k = 0; k < n; ++k) {

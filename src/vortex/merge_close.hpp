@@ -27,6 +27,9 @@ struct Merging {
 /// the wall widens the core (2 g1 g2 d_n^2/gamma^2 in place of d^2), so that merging along the wall
 /// diffuses nothing away from it; there a merger may pass sigma_max a little.
 ///
+/// Away from a body tolerance and sigma_max are as many times larger as the parts' widening
+/// (coarsening.hpp), the smaller of a pair.
+///
 /// Most pairs are neighbors: first windows of 32 of them merge in the cache (merge_windows.hpp),
 /// then whoever is left chooses among all within reach, until no pair is left. Whom a blob chooses
 /// depends on places alone: the mirror image (in the x axis) of a flow merges into its mirror image

@@ -25,6 +25,7 @@ void merge(Part& p, const Part& q, std::span<AtWall> at_wall) {
   p.y = at.y;
   p.square = w * p.square + (1 - w) * q.square + spread;
   p.gamma = gamma;
+  p.widening = std::min(p.widening, q.widening);
 }
 
 namespace {
@@ -92,7 +93,7 @@ void Window::look_at(std::span<const std::uint32_t> members, std::span<const Par
   const double x0 = parts[members[0]].x, y0 = parts[members[0]].y;
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Part& p = parts[members[i]];
-    traits_.put(i, p.x - x0, p.y - y0, std::abs(p.gamma), p.square);
+    traits_.put(i, p.x - x0, p.y - y0, std::abs(p.gamma), p.square, p.widening);
   }
 }
 
@@ -112,7 +113,7 @@ std::size_t Window::merge(std::span<std::uint32_t> members, std::span<Part> part
     for_each(first, [&](Number i) {
       Part& p = parts[members[i]];
       merge_kernel::merge(p, parts[members[partner_[i]]], at_wall);
-      traits_.put(i, p.x - x0, p.y - y0, std::abs(p.gamma), p.square);
+      traits_.put(i, p.x - x0, p.y - y0, std::abs(p.gamma), p.square, p.widening);
     });
   }
   std::size_t left = 0;

@@ -41,7 +41,7 @@ struct Limits {
 
 template <class V>
 struct Traits {
-  V x, y, gamma, square, inverse_cube;
+  V x, y, gamma, square, inverse_cube, widening2;
 };
 
 /// Error of merging a with b, or `never` where merge_close.hpp does not allow it: for parts of like
@@ -56,7 +56,8 @@ template <class V>
   const V cost = w * b.gamma * (d2 + abs(unlike)) * max(a.inverse_cube, b.inverse_cube);
   const V wide = b.square + w * (unlike + (1.0f - w) * d2);
   V result = never;
-  where(d2 <= limits.reach2 * min(a.square, b.square) && wide <= V(limits.widest2) &&
+  where(d2 <= limits.reach2 * min(a.square, b.square) &&
+            wide <= V(limits.widest2) * min(a.widening2, b.widening2) &&
             cost <= V(limits.tolerance),
         result) = cost;
   return result;
@@ -65,15 +66,20 @@ template <class V>
 /// Traits in columns.
 template <class Column>
 struct Columns {
-  Column x, y, gamma, square, inverse_cube;
+  Column x, y, gamma, square, inverse_cube, widening2;
 
-  /// gamma must be positive; too small a one vanishes in single precision, and is kept above it.
-  void put(std::size_t k, double at_x, double at_y, double g, double s2) {
+  void resize(std::size_t n) {
+    for (Column* column : {&x, &y, &gamma, &square, &inverse_cube, &widening2}) column->resize(n);
+  }
+  /// gamma must be positive; too small a one vanishes in single precision, and is kept above it. A
+  /// widened tolerance is an error as many times smaller.
+  void put(std::size_t k, double at_x, double at_y, double g, double s2, float widening = 1) {
     x[k] = static_cast<float>(at_x);
     y[k] = static_cast<float>(at_y);
     gamma[k] = std::max(static_cast<float>(g), 1e-30f);
     square[k] = static_cast<float>(s2);
-    inverse_cube[k] = 1 / (square[k] * std::sqrt(square[k]));
+    inverse_cube[k] = 1 / (square[k] * std::sqrt(square[k]) * widening);
+    widening2[k] = widening * widening;
   }
   void copy(std::size_t to, const auto& from, std::size_t k) {
     x[to] = from.x[k];
@@ -81,17 +87,18 @@ struct Columns {
     gamma[to] = from.gamma[k];
     square[to] = from.square[k];
     inverse_cube[to] = from.inverse_cube[k];
+    widening2[to] = from.widening2[k];
   }
   /// The one at k, in all lanes.
   template <class V>
   Traits<V> lone(std::size_t k) const {
-    return {x[k], y[k], gamma[k], square[k], inverse_cube[k]};
+    return {x[k], y[k], gamma[k], square[k], inverse_cube[k], widening2[k]};
   }
   /// Those from k on, one a lane.
   template <class V>
   Traits<V> lanes(std::size_t k) const {
     const auto from = [k](const Column& column) { return V(&column[k], stdx::element_aligned); };
-    return {from(x), from(y), from(gamma), from(square), from(inverse_cube)};
+    return {from(x), from(y), from(gamma), from(square), from(inverse_cube), from(widening2)};
   }
 };
 

@@ -9,10 +9,12 @@ namespace vortree::vortex {
 
 /// A blob in the midst of splitting and merging: its centre, circulation, and sigma squared.
 ///
-/// at_wall  number of what is known of it beside the wall, or no_wall
+/// at_wall   number of what is known of it beside the wall, or no_wall
+/// widening  how many times wider cores may be where it is (coarsening.hpp)
 struct Part {
   double x, y, gamma, square;
   std::uint32_t at_wall;
+  float widening = 1;
 
   Vec2 centre() const { return {x, y}; }
 };

@@ -8,17 +8,10 @@
 #include <span>
 
 #include "vortex/folded_core.hpp"
+#include "vortex/hash.hpp"
 
 namespace vortree::vortex {
 namespace {
-
-/// splitmix64 (Steele, Lea & Flood 2014): every input bit reaches every output bit.
-std::uint64_t mixed(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15ull;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-  return z ^ (z >> 31);
-}
 
 /// About six digits: mirror images that differ by round-off still turn alike.
 std::uint64_t rounded(double a) {
@@ -85,9 +78,10 @@ void hold_mean(std::span<Part> children, std::span<AtWall> at_wall, Vec2 mean, c
 /// Where the parts of each blob begin, and what they know of the wall.
 struct Places {
   std::vector<std::uint32_t> part, at_wall;
+  std::vector<float> widening;
 
   Places(const Blobs& blobs, double widest, const Splitting& splitting, const Shape* wall)
-      : part(blobs.size() + 1), at_wall(blobs.size() + 1) {
+      : part(blobs.size() + 1), at_wall(blobs.size() + 1), widening(blobs.size(), 1.0f) {
     const auto n = static_cast<std::ptrdiff_t>(blobs.size());
     const double alpha = splitting.alpha;
     const double reach_of_split =
@@ -95,10 +89,12 @@ struct Places {
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = blobs.sigma[i];
-      const bool splits = s > widest;
+      const double distance = wall ? wall->distance(blobs.centre(i)) : 0;
+      widening[i] = splitting.coarsening.widening(distance);
+      const bool splits = s > widest * widening[i];
       part[i + 1] = splits ? splitting.children : 1;
       const double reach = splits ? reach_of_split : knows_wall;
-      at_wall[i + 1] = wall && wall->distance(blobs.centre(i)) < reach * s ? part[i + 1] : 0;
+      at_wall[i + 1] = wall && distance < reach * s ? part[i + 1] : 0;
     }
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       part[i + 1] += part[i];
@@ -132,15 +128,16 @@ Parts split_apart(const Blobs& blobs, const Splitting& splitting, const Shape* w
     const std::span<Part> made(&parts.all[places.part[i]], places.children_of(i));
     const bool near = places.beside_wall(i);
     std::uint32_t at_wall = near ? places.at_wall[i] : no_wall;
-    if (made.size() == 1 && s <= widest) {
-      made[0] = {blobs.x[i], blobs.y[i], gamma, s * s, at_wall};
+    const float widening = places.widening[i];
+    if (made.size() == 1 && s <= widest * widening) {
+      made[0] = {blobs.x[i], blobs.y[i], gamma, s * s, at_wall, widening};
       if (near) parts.at_wall[at_wall] = beside(wall->nearest(blobs.centre(i)), s);
       continue;
     }
     const Vec2 turned = s * std::sqrt(1 - alpha2) * rings.turn(gamma, s);
     for (int c = 0; c < splitting.children; ++c) {
       const Vec2 at = blobs.centre(i) + rings.child(turned, c);
-      made[c] = {at.x, at.y, gamma / splitting.children, alpha2 * s * s, at_wall};
+      made[c] = {at.x, at.y, gamma / splitting.children, alpha2 * s * s, at_wall, widening};
       if (near) ++at_wall;
     }
     if (near)

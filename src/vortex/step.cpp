@@ -1,8 +1,11 @@
 #include "vortex/step.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "vortex/forces.hpp"
+#include "vortex/particle_exchange.hpp"
+#include "vortex/random_walk.hpp"
 #include "vortex/spread_cores.hpp"
 
 namespace vortree::vortex {
@@ -27,12 +30,15 @@ fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
 Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
-  p.velocity->upon_itself_and(as_sources(blobs, at), p.wall ? p.wall->samples() : tree::Points{}, u,
-                              at_samples);
+  Acting carrying = at;
+  if (p.carrying_cores != 1)
+    for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
+  p.velocity->upon_itself_and(as_sources(blobs, carrying),
+                              p.wall ? p.wall->samples() : tree::Points{}, u, at_samples);
   add_stream(u, p.flow.stream);
   if (p.wall) {
     const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
-    const auto sheet = p.wall->sheet(slip, -total(blobs.gamma));
+    const auto sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
     p.wall->add_velocity(sheet, *p.velocity, {at.x, at.y}, u);
   }
   return u;
@@ -43,7 +49,7 @@ std::vector<double> cancelling_sheet(const Blobs& blobs, const Acting& at, const
   Velocities at_samples(2 * p.wall->panels());
   p.velocity->upon({at.x, at.y, blobs.gamma, {}}, p.wall->samples(), at_samples);
   const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
-  return p.wall->sheet(slip, -total(blobs.gamma));
+  return p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
 }
 
 void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, double core) {
@@ -55,12 +61,23 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
   const Acting at = acting(blobs, &p.wall->shape());
   Wake wake;
   wake.sheet = cancelling_sheet(blobs, at, p);
-  wake.moment = invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet);
+  wake.moment = invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet) +
+                p.retired.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
   wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
   release(blobs, wake.sheet, *p.wall, core);
   return wake;
+}
+
+void diffuse(Blobs& blobs, const Problem& p, std::uint64_t number) {
+  if (p.diffusion == Diffusion::core_spreading) return spread_cores(blobs, p.flow.nu, p.dt);
+  if (p.wall)
+    throw std::invalid_argument("beside a wall vorticity diffuses by core spreading only");
+  if (p.diffusion == Diffusion::random_walk)
+    random_walk(blobs, p.flow.nu, p.dt, p.splitting.seed, number);
+  else
+    exchange_strength(blobs, p.flow.nu, p.dt, p.sigma_0, p.area);
 }
 
 }  // namespace
@@ -78,17 +95,21 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
   convect(
       blobs, [&](const Blobs& b, const Acting& at) { return carrying(b, at, p); }, shape, p.scheme,
       p.dt);
-  if (p.flow.nu > 0) spread_cores(blobs, p.flow.nu, p.dt);
+  if (p.flow.nu > 0) diffuse(blobs, p, number);
   if (p.wall) {
     phase("wall");
     wake = cancel_slip(blobs, p, p.sigma_0);
   }
-  if (p.flow.nu > 0) {
+  if (p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading) {
     phase("split");
     Parts parts = split_apart(blobs, p.splitting, shape, number);
     phase("merge");
     merge_close(parts, p.merging);
     blobs = settled(parts, shape);
+  }
+  if (p.box) {
+    wake.retired = p.retired + retire(blobs, *p.box);
+    wake.retired.drift(p.flow.stream, p.dt);
   }
   return wake;
 }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "vortex/convect.hpp"
 #include "vortex/invariants.hpp"
 #include "vortex/merge_close.hpp"
+#include "vortex/retire.hpp"
 #include "vortex/split_wide.hpp"
 #include "vortex/wall.hpp"
 
@@ -17,33 +19,51 @@ struct Flow {
   double nu;
 };
 
+/// How vorticity diffuses: wider cores that split and merge; blobs that walk at random
+/// (random_walk.hpp); blobs that exchange circulation (particle_exchange.hpp). The last two are for
+/// free space.
+enum class Diffusion { core_spreading, random_walk, particle_exchange };
+
 /// What a step needs to know, besides the blobs.
 ///
+/// box       blobs that leave it are retired; `retired` all that have left in the steps before
 /// wall      nullptr: free space
-/// sigma_0   core of blobs released at the wall [m]
+/// carrying_cores  of a blob's core, that with which it carries others: 1, or sqrt(2), which in the
+///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
+///           averaged over its own core, and the energy of free space is conserved too
+/// sigma_0   core of blobs released at the wall, or of those that exchange circulation [m]
+/// area      of each blob that exchanges circulation [m^2]
 struct Problem {
   Flow flow;
   double dt;
   Scheme scheme = Scheme::rk2;
+  double carrying_cores = 1;
   double sigma_0;
+  Diffusion diffusion = Diffusion::core_spreading;
+  double area = 0;
   Splitting splitting;
   Merging merging;
+  std::optional<Box> box{};
+  Retired retired{};
   const Wall* wall = nullptr;
   const Velocity* velocity;
 };
 
-/// What one step leaves beside the blobs; empty without a wall.
+/// What one step leaves beside the blobs; but for `retired`, empty without a wall.
 ///
 /// sheet           released at the end of the step [m/s], a value a panel
-/// moment          sum gamma X of blobs and sheet before the release; forces are its rate of change
+/// moment          sum gamma X of blobs, sheet and what has left, before the release; forces
+///                 are its rate of change
 /// wall_vorticity  a value a panel [1/s]
 /// pressure        force on the body during the step, per unit density [m^3/s^2]
 /// friction        the same, at the end of the step
+/// retired         all that has left the box, to be handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
   std::vector<double> wall_vorticity;
   Vec2 pressure, friction;
+  Retired retired{};
 };
 
 /// Called with the name of each phase as it begins, for whoever keeps the time.
@@ -53,6 +73,7 @@ using Phase = std::function<void(std::string_view name)>;
 Wake start(Blobs& blobs, const Problem& problem);
 
 /// One step of length dt: convection, diffusion, release of wall vorticity, splitting, merging.
+/// throws  std::invalid_argument for other diffusion than core spreading beside a wall
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const Phase& phase);
 
 /// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at

@@ -30,3 +30,55 @@ print(all(float(row['seconds']) > 0 and float(row['relative_l2']) <= float(row['
   CHECK(read.err == "");
   CHECK(read.out == "True\n['blobs', 'hard', 'ringwake', 'uniform'] ['100', '300']\nTrue\nTrue\n");
 }
+
+TEST_CASE("the tree bench leaves its tables, and figures") {
+  const TemporaryFolder folder;
+  const auto outcome =
+      call("bench trees --quick --largest 1000 --threads 1 --out new/results", folder);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  for (const char* name : {"trees_phases.png", "trees_reuse.png"}) {
+    CHECK(fs::exists(folder / "new/results" / name));
+  }
+
+  folder.write("read.py", R"(
+import csv
+lines = open('new/results/trees.csv').read().splitlines()
+notes = dict(line[2:].split(': ', 1) for line in lines if line.startswith('#'))
+rows = list(csv.DictReader(line for line in lines if not line.startswith('#')))
+print(all(notes[word] for word in ('machine', 'compiler', 'flags', 'commit', 'anchors')))
+print(sorted({row['builder'] for row in rows}))
+shapes = {(row['set'], row['n_ctrl'], row['cells'], row['childless'], row['depth']) for row in rows}
+print(len(shapes) == len({(row['set'], row['n_ctrl']) for row in rows}))
+)");
+  const auto read = shell("/usr/bin/python3 read.py", folder);
+  CHECK(read.err == "");
+  CHECK(read.out ==
+        "True\n['climb', 'forward', 'partition', 'printed', 'printed_known', 'reverse']\nTrue\n");
+}
+
+TEST_CASE("the neighbor bench leaves a table with its origin, and figures") {
+  const TemporaryFolder folder;
+  const auto outcome = call("bench neighbors --quick --largest 3100 --threads 2 --out nb", folder);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  CHECK(fs::exists(folder / "nb/neighbors_scaled.png"));
+  folder.write("read.py", R"(
+import csv
+lines = open('nb/neighbors.csv').read().splitlines()
+notes = dict(line[2:].split(': ', 1) for line in lines if line.startswith('#'))
+rows = list(csv.DictReader(line for line in lines if not line.startswith('#')))
+print(all(notes[word] for word in ('machine', 'compiler', 'flags', 'commit', 'anchors')))
+print(sorted({row['set'] for row in rows}), sorted({row['threads'] for row in rows}))
+print(sorted({row['method'] for row in rows}), sorted({row['rule'] for row in rows}))
+print(all(float(row['seconds']) > 0 and int(row['pairs']) > 0 for row in rows))
+)");
+  const auto read = shell("/usr/bin/python3 read.py", folder);
+  CHECK(read.err == "");
+  CHECK(read.out ==
+        "True\n['cyl:5:17', 'uni:32'] ['1', '2']\n['all-pairs', 'leaf-quadtree', "
+        "'level-grids', 'linked-list', 'qcg', 'r-tree', 'uniform-grid'] ['max', 'mean', 'own']\n"
+        "True\n");
+}

@@ -64,7 +64,7 @@ TEST_CASE("wrong usage is answered with one line and exit code 2") {
       {"check nowhere.toml", "nowhere.toml"},
       {"check .", "folder"},
       {"bench", "WHAT"},
-      {"bench trees", "velocity"},
+      {"bench forests", "velocity"},
       {"bench velocity --fast", "--fast"},
       {"bench velocity --threads 0", "--threads"},
       {"bench velocity --largest 1", "--largest"},

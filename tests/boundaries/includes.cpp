@@ -24,9 +24,9 @@ const std::string anything = "*";
 
 const std::map<std::string, Permit>& permits() {
   static const std::map<std::string, Permit> permits{
-      {"tree", {{"tree"}, {}}},
       // Large pages can only be asked of the operating system.
-      {"fmm", {{"fmm", "tree"}, {"sys/mman.h"}}},
+      {"tree", {{"tree"}, {"sys/mman.h"}}},
+      {"fmm", {{"fmm", "tree"}, {}}},
       {"exact", {{"exact"}, {}}},
       {"vortex", {{"vortex", "fmm", "tree", "exact"}, {"Eigen/"}}},
       {"sph", {{"sph", "tree"}, {"Eigen/"}}},

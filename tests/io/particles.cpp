@@ -152,7 +152,7 @@ TEST_CASE("a wrong value is refused with its column and index") {
   CHECK(value("x", std::nan("")) == ": x[2] is nan; finite numbers were expected");
   CHECK(value("gamma", -inf) == ": gamma[2] is -inf; finite numbers were expected");
   CHECK(value("sigma", -0.5) == ": sigma[2] is -0.5; it must be >= 0");
-  CHECK(value("reach", 0) == ": reach[2] is 0; it must be > 0");
+  CHECK(value("reach", -1) == ": reach[2] is -1; it must be >= 0");
 }
 
 TEST_CASE("an output that cannot be written is refused before anything is lost") {

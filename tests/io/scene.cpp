@@ -1,5 +1,7 @@
 #include "io/scene.hpp"
 
+#include <cmath>
+
 #include "sandbox.hpp"
 
 using namespace vortree::io;
@@ -167,7 +169,8 @@ TEST_CASE("an override wins over the file, and the last one over those before") 
 
 TEST_CASE("an unknown key is refused with its line and the nearest known one") {
   CHECK(refused(with("nu = ", "nuu = ")) ==
-        "cases/ring.toml:3: flow.nuu is not a key of [flow]; known: nu, stream; did you mean nu?");
+        "cases/ring.toml:3: flow.nuu is not a key of [flow]; known: nu, stream, reynolds; did you "
+        "mean nu?");
   CHECK(refused(plain + "[velocity]\ntolerence = 1e-3\n") ==
         "cases/ring.toml:18: velocity.tolerence is not a key of [velocity]; known: method, "
         "tolerance, order, capacity, finest_level, builder, cores; did you mean tolerance?");
@@ -176,9 +179,11 @@ TEST_CASE("an unknown key is refused with its line and the nearest known one") {
       StartsWith("cases/ring.toml:14: [times] is not a table of a scene; known: flow, body,") &&
           EndsWith("did you mean time?"));
   CHECK(refused("speed = 1\n" + plain) ==
-        "cases/ring.toml:1: speed is not a key at the top of a scene; known: title, seed; did you "
-        "mean seed?");
-  CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nzebra = 1")), EndsWith("known: nu, stream"));
+        "cases/ring.toml:1: speed is not a key at the top of a scene; known: title, seed, "
+        "accuracy; did "
+        "you mean seed?");
+  CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nzebra = 1")),
+             EndsWith("known: nu, stream, reynolds"));
   CHECK_THAT(refused("\"a.b\" = 1\n" + plain), StartsWith("cases/ring.toml:1: a.b is not a key"));
 }
 
@@ -263,8 +268,66 @@ TEST_CASE("keys that need others say which") {
         "cases/ring.toml:9: [initial] needs the key circulation");
   CHECK(refused("[flow]\nnu = 1\n[cores]\nsigma_0 = 1\nsigma_max = 1\n") ==
         "cases/ring.toml: the table [time] is missing");
+  CHECK_THAT(
+      refused(with("sigma_0 = 0.05\n", "")),
+      StartsWith("cases/ring.toml:5: [cores] needs the key sigma_0, or the scene `accuracy`"));
   CHECK(refused("[flow]\nnu = 1\n[cores]\nsigma_0 = 1\nsigma_max = 1\n[time]\ndt = 1\nend = 2\n") ==
         "cases/ring.toml: a scene needs [body] or [initial]; without both there is no vorticity");
+}
+
+TEST_CASE("an accuracy chooses what is not written, and only that") {
+  const std::string rest =
+      "[flow]\nreynolds = 550\nstream = [2, 0]\n[body]\nradius = 0.25\n"
+      "[time]\nend = 1\n";
+  const Scene scene = parse("accuracy = 0.01\n" + rest);
+  CHECK(scene.flow.nu == Approx(2 * 0.5 / 550));
+  CHECK(scene.time.dt == Approx(0.02 * 0.25));
+  CHECK(scene.cores.sigma_max == Approx(4 * std::sqrt(0.01 * scene.flow.nu * 0.25)));
+  CHECK(scene.cores.sigma_0 == Approx(std::sqrt(scene.flow.nu * scene.time.dt)));
+  CHECK(parse(resolved(scene)) == scene);
+  const Scene finer = parse("accuracy = 0.0025\n" + rest);
+  CHECK(finer.cores.sigma_max == Approx(scene.cores.sigma_max / 2));
+  CHECK(finer.time.dt < scene.time.dt);
+  CHECK(finer.merging.tolerance == Approx(scene.merging.tolerance / 2));
+  CHECK(finer.velocity.tolerance < scene.velocity.tolerance);
+  CHECK(finer.body->panels > scene.body->panels);
+  const Scene own = parse("accuracy = 0.01\n" + rest, {"time.dt=0.001", "body.panels=99"});
+  CHECK(own.time.dt == 0.001);
+  CHECK(own.body->panels == 99);
+  CHECK(own.cores.sigma_max == scene.cores.sigma_max);
+  CHECK(parse(plain, {"accuracy=0.1"}).cores == parse(plain).cores);
+}
+
+TEST_CASE("a Reynolds number needs a body and a stream, and no other viscosity beside it") {
+  CHECK(refused(with("nu = 1e-3", "reynolds = 10")) ==
+        "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream");
+  CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nstream = [1, 0]\nreynolds = 10") +
+                     "[body]\nradius = 0.5"),
+             StartsWith("cases/ring.toml:5: flow.reynolds is 10, which makes flow.nu 0.1, but that "
+                        "is 0.001"));
+}
+
+TEST_CASE("beside a body vorticity diffuses by core spreading only") {
+  CHECK_THAT(refused(plain + "[body]\nradius = 1\n[diffusion]\nkind = \"random_walk\""),
+             EndsWith("beside a body vorticity diffuses by core_spreading only"));
+}
+
+TEST_CASE("a vortex has the keys of its kind, and no others") {
+  const auto kind = [](const std::string& lines) {
+    return refused(with("kind = \"lamb_oseen\"", lines));
+  };
+  CHECK(kind("kind = \"dipole\"") ==
+        "cases/ring.toml:9: initial.kind is \"dipole\"; that needs the key initial.separation");
+  CHECK(kind("kind = \"lamb_oseen\"\nseparation = 1") ==
+        "cases/ring.toml:11: initial.kind is \"lamb_oseen\"; that does not have the key "
+        "initial.separation");
+  CHECK(kind("kind = \"gaussian_ellipse\"\ncore_across = 0.01") ==
+        "cases/ring.toml:11: initial.core_across is 0.01; it must be > cores.sigma_0 = 0.05");
+  CHECK_NOTHROW(
+      parse(with("kind = \"lamb_oseen\"", "kind = \"kirchhoff_ellipse\"\ncore_across = 0.01")));
+  CHECK(refused(plain + "[check]\nexact = \"dipole\"") ==
+        "cases/ring.toml:18: check.exact is \"dipole\"; that needs the table [initial] of kind "
+        "\"dipole\"");
 }
 
 TEST_CASE("a wrong override is refused as it was typed") {
@@ -276,9 +339,10 @@ TEST_CASE("a wrong override is refused as it was typed") {
   CHECK(typed("flow.nu=") == "command line: flow.nu=: there is no value behind the =");
   CHECK(typed("flow.nu") == "command line: flow.nu: an override is written table.key=value");
   CHECK(typed("=3") == "command line: =3: an override is written table.key=value");
-  CHECK(typed("flow.nuu=1") ==
-        "command line: flow.nuu=1: flow.nuu is not a key of [flow]; known: nu, stream; did you "
-        "mean nu?");
+  CHECK(
+      typed("flow.nuu=1") ==
+      "command line: flow.nuu=1: flow.nuu is not a key of [flow]; known: nu, stream, reynolds; did "
+      "you mean nu?");
   CHECK_THAT(typed("flw.nu=1"), StartsWith("command line: flw.nu=1: [flw] is not a table of a "));
   CHECK_THAT(typed("a.b.c=1"), StartsWith("command line: a.b.c=1: [a] is not a table of a scene"));
   CHECK(typed("body.panels=20") == "command line: body.panels=20: [body] needs the key radius");

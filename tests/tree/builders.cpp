@@ -216,7 +216,7 @@ TEST_CASE("large trees are the same for any number of threads") {
   const int threads = omp_get_max_threads();
   test::Chance chance(36);
   for (const int kind : {0, 1, 6, 9}) {
-    const test::Cloud cloud = test::make_cloud(kind, 100000, chance);
+    const test::Cloud cloud = test::make_cloud(kind, 200000, chance);
     std::vector<Quadtree> trees;
     for (const int count : {1, 2, 3, 8}) {
       omp_set_num_threads(count);
@@ -239,7 +239,7 @@ TEST_CASE("large trees are the same for any number of threads") {
 TEST_CASE("what a rule throws comes out of a large tree, too") {
   const std::vector<double> reach(50, 1.0);
   test::Chance chance(37);
-  const test::Cloud cloud = test::make_cloud(0, 50000, chance);
+  const test::Cloud cloud = test::make_cloud(0, 200000, chance);
   const MortonOrder order = tree::morton_order(cloud.points(), tree::enclose(cloud.points()));
   for (const auto build : {tree::build_forward, tree::build_reverse}) {
     CHECK_THROWS_WITH(build(order, tree::roomy(reach)), Catch::Contains("only 50 reaches"));

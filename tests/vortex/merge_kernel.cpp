@@ -23,8 +23,7 @@ Blobs cloud(std::size_t n) {
 
 Table table(const Blobs& blobs) {
   Table t;
-  for (auto* column : {&t.x, &t.y, &t.gamma, &t.square, &t.inverse_cube})
-    column->resize(blobs.size());
+  t.resize(blobs.size());
   for (std::size_t i = 0; i < blobs.size(); ++i)
     t.put(i, blobs.x[i], blobs.y[i], blobs.gamma[i], blobs.sigma[i] * blobs.sigma[i]);
   return t;

@@ -1,0 +1,49 @@
+"""The paper's figure 12: with the linked list time explodes as sizes are added, with QCG it grows
+like the number of particles."""
+
+from _neighbors import METHODS, Bench, columns, signed, slope
+from _style import Nothing, figure, main
+
+UNIFORM = ("cyl:1:100", "cyl:1:200", "cyl:1:400")
+ADAPTIVE = ("cyl:1:100", "cyl:2:100", "cyl:3:100", "cyl:4:100", "cyl:5:100")
+LINES = (("linked-list", UNIFORM, "linked list, one size (A-C)", "-", ("A, D", "B", "C")),
+         ("linked-list", ADAPTIVE, "linked list, 1 to 5 sizes (D-H)", "--", ("", "E", "F", "G", "H")),
+         ("qcg", ADAPTIVE, "QCG, 1 to 5 sizes (I-M)", "-", tuple("IJKLM")),
+         ("level-grids", ADAPTIVE, "one grid a level, 1 to 5 sizes", "-", ()),
+         ("uniform-grid", ADAPTIVE, "one grid with vector tests, 1 to 5 sizes", "--", ()))
+
+
+def draw(run):
+    bench = Bench(run)
+    if len(bench.select(method="qcg", set=ADAPTIVE)) < 3:
+        raise Nothing
+    fig = figure(9.4, 5.0, "Particles around a cylinder, cases of Khorasanizade & Sousa, table 1")
+    panels = fig.subplots(1, 2)
+    for axes, name, scale, title, unit in (
+            (panels[0], "seconds", 1e3, "time for one search", "[ms]"),
+            (panels[1], "bytes", 1e-6, "memory, list included", "[MB]")):
+        axes.set(xscale="log", yscale="log", xlabel="particles", ylabel=f"{title}  {unit}")
+        for line in LINES:
+            draw_line(axes, bench, name, scale, *line)
+    n, seconds = columns(bench.select(method="qcg", set=ADAPTIVE), "seconds")
+    slope(panels[0], [n[0], 3e5], 0.55e3 * seconds[0], 1, "$O(N)$")
+    slope(panels[0], [n[0], 1e5], 2e3 * seconds[0], 2, "$O(N^2)$")
+    handles, labels = panels[0].get_legend_handles_labels()
+    signed(fig, bench, handles, labels, 2)
+    return fig
+
+
+def draw_line(axes, bench, name, scale, method, sets, words, style, letters):
+    _, colour, marker = METHODS[method]
+    rows = bench.select(method=method, set=sets)
+    n, values = columns(rows, name)
+    axes.plot(n, scale * values, color=colour, marker=marker, ms=5, ls=style,
+              mfc="white" if sets is UNIFORM else colour, label=words)
+    letter = dict(zip(sets, letters))
+    for row in rows:
+        if letter.get(row["set"]):
+            axes.annotate(letter[row["set"]], (row["n"], scale * row[name]), xytext=(0, 5),
+                          textcoords="offset points", ha="center", fontsize=8.5, color=colour)
+
+
+main("neighbors_levels.png", draw)

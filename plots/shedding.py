@@ -1,0 +1,62 @@
+"""A wake that sheds vortices: drag and lift in time, and the spectrum of the lift."""
+
+import numpy as np
+from _style import BLUE, GREY, INK, ORANGE, Nothing, figure, main, note
+
+
+def draw(run):
+    check = run.check
+    if "strouhal" not in check:
+        raise Nothing
+    radius, _ = run.body
+    report, start = run.report, check.get("shedding_from", 0.0)
+    T = report["T"]
+    shown = T >= 2
+    late = T >= start
+    if late.sum() < 100:
+        raise Nothing
+    fig = figure(11.0, 5.4, run.scene.get("title"))
+    grid = fig.add_gridspec(2, 2, width_ratios=[1.75, 1])
+    drag, spectrum = fig.add_subplot(grid[0, 0]), fig.add_subplot(grid[:, 1])
+    lift = fig.add_subplot(grid[1, 0], sharex=drag)
+    t = report["t"] * run.speed / (2 * radius)
+    for axes, name, label in ((drag, "cd", "drag  $C_D$"), (lift, "cl", "lift  $C_L$")):
+        axes.axvspan(t[late][0], t[-1], color="#f4f4f4", lw=0)
+        axes.plot(t[shown], report[f"{name}_impulse"][shown], color=BLUE, label="by impulse")
+        axes.plot(t[shown], report[f"{name}_wall"][shown], color=ORANGE, lw=0.8,
+                  label="at the wall")
+        axes.set_ylabel(label)
+    mean = report["cd_impulse"][late].mean()
+    wanted, off = check.get("mean_drag"), check.get("mean_drag_max", 0)
+    if wanted:
+        drag.axhspan(wanted * (1 - off), wanted * (1 + off), color=GREY, alpha=0.35, lw=0)
+    note(drag, f"mean over the grey part {mean:.3f}"
+         + (f" (asked {wanted * (1 - off):.2f} to {wanted * (1 + off):.2f})" if wanted else ""))
+    settled = report["cd_impulse"][T >= 10]
+    low, high = settled.min(), settled.max()
+    drag.set_ylim(low - 0.2 * (high - low), high + 0.6 * (high - low))
+    drag.legend(loc="lower right", ncol=2)
+    lift.set_xlabel("time  $tU/D$")
+    lift.set_xlim(t[0], t[-1])
+
+    frequency, power = periodogram(report["cl_impulse"][late], t[1] - t[0])
+    spectrum.semilogy(frequency, power / power.max(), color=BLUE)
+    peak = frequency[power.argmax()]
+    spectrum.axvline(check["strouhal"], color=INK, lw=0.9, ls=(0, (5, 3)),
+                     label=f"asked {check['strouhal']}")
+    spectrum.set(xlim=(0, 4 * peak), ylim=(1e-8, 3), xlabel="frequency  $fD/U$",
+                 ylabel="power of the lift, of its peak")
+    spectrum.legend(loc="upper right")
+    note(spectrum, f"peak at {peak:.4f}", y=0.86)
+    return fig
+
+
+def periodogram(signal, dt):
+    """Hann's window, zeros appended sixteen times over."""
+    n = signal.size
+    window = np.sin(np.pi * (np.arange(n) + 0.5) / n)**2
+    power = np.abs(np.fft.rfft(window * (signal - signal.mean()), 16 * n))**2
+    return np.fft.rfftfreq(16 * n, dt), power
+
+
+main("shedding.png", draw)

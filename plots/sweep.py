@@ -1,0 +1,105 @@
+"""What a digit costs: error against the swept key, and seconds against error."""
+
+import csv
+
+import numpy as np
+from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Broken, Nothing, figure, main, note
+
+NOT_ERRORS = {"steps", "blobs", "particle_steps", "seconds", "blobs_max", "lift_max"}
+KEPT = {"circulation_max", "impulse_max", "second_moment_max"}  # shown where nothing else is
+LOOKS = [(BLUE, "o"), (ORANGE, "s"), (GREEN, "D"), (RED, "^"), (SKY, "v"), (GREY, "P")]
+
+
+def draw(run):
+    path = run.file("sweep.csv")
+    notes, rows = read(path)
+    names = list(rows[0])
+    keys = names[:names.index("steps")]
+    errors = [name for name in names if name not in NOT_ERRORS and name not in keys
+              and any(usable(number(row[name])) for row in rows)]
+    if not errors:
+        raise Nothing
+    errors = [name for name in errors if name not in KEPT] or errors
+    curves = grouped(rows, keys)
+    numeric = all(number(row[keys[-1]]) == number(row[keys[-1]]) for row in rows)
+    fig = figure(10.5 if numeric else 6.6, 4.6, title(notes))
+    panels = fig.subplots(1, 2 if numeric else 1, squeeze=False)[0]
+    if len(curves) > 1:  # one error tells the groups apart
+        shown = [(f"{group}: {errors[0]}", members, errors[0]) for group, members in curves]
+    elif numeric:
+        shown = [(name, curves[0][1], name) for name in errors[:len(LOOKS)]]
+    else:
+        shown = [(row[keys[-1]], [row], errors[0]) for row in rows]
+    for (label, members, error), (colour, marker) in zip(shown, LOOKS):
+        e = np.array([number(row[error]) for row in members])
+        seconds = np.array([number(row["seconds"]) for row in members])
+        style = {"color": colour, "marker": marker, "ms": 5}
+        if numeric:
+            h = np.array([number(row[keys[-1]]) for row in members])
+            panels[0].plot(h, e, label=f"{label}{slope(h, e)}", **style)
+        panels[-1].plot(e, seconds, label=label, **style)
+    finish(panels, keys[-1], numeric, errors[0])
+    panels[0].legend(loc="best", fontsize=9)
+    fig.text(0.995, 0.005, notes.get("machine", "").split(", Linux")[0], ha="right", va="bottom",
+             fontsize=7.5, color=GREY)
+    return fig
+
+
+def read(path):
+    try:
+        lines = path.read_text().splitlines()
+    except (OSError, UnicodeDecodeError):
+        raise Broken(f"{path}: cannot be read") from None
+    notes = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# ") and ": " in line)
+    rows = list(csv.DictReader((line for line in lines if line and not line.startswith("#")),
+                               quotechar="'"))
+    if not rows:
+        raise Nothing
+    return notes, rows
+
+
+def number(word):
+    try:
+        return float(word)
+    except (TypeError, ValueError):
+        return float("nan")
+
+
+def usable(value):
+    return 0 < value < np.inf
+
+
+def grouped(rows, keys):
+    """Runs that differ in the last key alone, under the values of the others."""
+    groups = {}
+    for row in rows:
+        groups.setdefault(", ".join(row[key] for key in keys[:-1]), []).append(row)
+    return list(groups.items())
+
+
+def slope(h, e):
+    good = [usable(a) and usable(b) for a, b in zip(h, e)]
+    if sum(good) < 2 or np.ptp(np.log(h[good])) == 0:
+        return ""
+    return f",  order {np.polyfit(np.log(h[good]), np.log(e[good]), 1)[0]:.2f}"
+
+
+def title(notes):
+    return notes.get("scene", "").strip()
+
+
+def finish(panels, key, numeric, error):
+    if numeric:
+        panels[0].set(xscale="log", yscale="log", xlabel=key, ylabel="error")
+    last = panels[-1]
+    last.set(xscale="log", yscale="log", xlabel="error" if numeric else error,
+             ylabel="wall time  [s]")
+    if not numeric:
+        last.legend(loc="best", fontsize=9)
+    for axes in panels:
+        axes.grid(which="minor", lw=0.3)
+        axes.margins(0.08, 0.15)
+    note(last, "better: left and down", 0.02, 0.02, color=INK, fontsize=8.5)
+
+
+main("sweep.png", draw)

@@ -1,0 +1,113 @@
+#include "app/neighbors.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+#include "app/clock.hpp"
+#include "app/memory.hpp"
+#include "bench/neighbor_methods.hpp"
+#include "io/particles.hpp"
+
+namespace vortree::app {
+namespace {
+
+struct Laps {
+  std::vector<double> tree, search, total;
+};
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t n = values.size();
+  return (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
+void search(bench::NeighborMethod& method, const bench::NeighborJob& job, tree::Rows& rows,
+            Laps& laps) {
+  Stopwatch watch;
+  watch.begin("tree");
+  method.build(job);
+  watch.begin("search");
+  method.search(job, rows);
+  watch.end();
+  laps.tree.push_back(watch.seconds("tree"));
+  laps.search.push_back(watch.seconds("search"));
+  laps.total.push_back(watch.seconds("tree") + watch.seconds("search"));
+}
+
+// 64-bit counts, 32-bit numbers of particles.
+io::Particles read_particles(const NeighborsJob& job) {
+  auto particles = io::read_particles(job.in, {.reach = io::Need::required});
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  if (particles.x.size() > most) {
+    throw io::InputError(fmt::format("{}: {} particles; at most {} can be listed", job.in.string(),
+                                     particles.x.size(), most));
+  }
+  return particles;
+}
+
+void write_rows(const std::filesystem::path& out, const tree::Rows& rows) {
+  const std::array columns{io::Column{"start", rows.start.span()},
+                           io::Column{"index", rows.index.span()}};
+  io::write_columns(out, columns);
+}
+
+std::string_view name_of(tree::PairRule rule) {
+  constexpr std::array<std::string_view, 3> names{"max", "mean", "own"};
+  return names[static_cast<std::size_t>(rule)];
+}
+
+}  // namespace
+
+std::vector<std::string> neighbor_methods() {
+  std::vector<std::string> names;
+  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
+    names.emplace_back(maker.name);
+  }
+  return names;
+}
+
+io::Json neighbors(const NeighborsJob& job) {
+  if (job.half && job.rule == tree::PairRule::own) {
+    throw std::invalid_argument("--half lists each pair once, but rule own is not symmetric");
+  }
+  const auto method = bench::neighbor_method(job.method).make();
+  Stopwatch files;
+  files.begin("io");
+  io::check_writable(job.out);
+  const io::Particles particles = read_particles(job);
+  files.end();
+
+  const auto listing = job.half ? tree::Listing::once : tree::Listing::both_ways;
+  const bench::NeighborJob asked{{particles.x, particles.y}, particles.reach, job.rule, listing};
+  tree::Rows rows;
+  Laps laps;
+  for (int k = 0; k < job.repeat; ++k) search(*method, asked, rows, laps);
+
+  files.begin("io");
+  write_rows(job.out, rows);
+  files.end();
+
+  io::Json report;
+  report["n"] = std::uint64_t{particles.x.size()};
+  report["method"] = job.method;
+  report["builder"] = job.method == "qcg"             ? io::Json("reverse")
+                      : job.method == "leaf-quadtree" ? io::Json("forward")
+                                                      : io::Json();
+  report["threads"] = omp_get_max_threads();
+  report["rule"] = name_of(job.rule);
+  report["half"] = job.half;
+  report["pairs"] = std::uint64_t{rows.index.size()};
+  report["peak_bytes"] = std::uint64_t{peak_bytes()};
+  report["seconds"]["tree"] = median(laps.tree);
+  report["seconds"]["search"] = median(laps.search);
+  report["seconds"]["total"] = median(laps.total);
+  report["seconds"]["io"] = files.seconds("io");
+  return report;
+}
+
+}  // namespace vortree::app

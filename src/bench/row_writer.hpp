@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "tree/rows.hpp"
+
+namespace vortree::bench {
+
+/// Rows from a search that takes one particle after the other.
+///
+/// n     particles
+/// find  appends the neighbors of particle i: find(i, std::vector<std::int32_t>& row); called from
+///       several threads
+template <class Find>
+void write_rows(std::size_t n, const Find& find, tree::Rows& rows) {
+  constexpr std::size_t portion = 512;
+  const std::size_t portions = (n + portion - 1) / portion;
+  std::vector<std::vector<std::int32_t>> found(portions);
+  rows.start.renew(n + 1);
+  rows.start[0] = 0;
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t p = 0; p < portions; ++p) {
+    for (std::size_t i = p * portion; i < std::min(n, (p + 1) * portion); ++i) {
+      find(i, found[p]);
+      rows.start[i + 1] = static_cast<std::int64_t>(found[p].size());
+    }
+  }
+  std::int64_t before = 0;
+  for (std::size_t p = 0; p < portions; ++p) {
+    for (std::size_t i = p * portion; i < std::min(n, (p + 1) * portion); ++i) {
+      rows.start[i + 1] += before;
+    }
+    before += static_cast<std::int64_t>(found[p].size());
+  }
+  rows.index.renew(static_cast<std::size_t>(before));
+#pragma omp parallel for schedule(static)
+  for (std::size_t p = 0; p < portions; ++p) {
+    std::ranges::copy(found[p], rows.index.data() + rows.start[p * portion]);
+  }
+}
+
+}  // namespace vortree::bench

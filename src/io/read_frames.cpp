@@ -1,0 +1,27 @@
+#include "io/read_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/frame_group.hpp"
+#include "io/hdf5.hpp"
+
+namespace vortree::io {
+
+std::vector<Frame> read_frames(const std::filesystem::path& path, std::size_t most) {
+  try {
+    const h5::Handle file = h5::open_file(path);
+    const std::vector<FramePlace> places = frame_places(file);
+    const std::size_t count = std::min(most, places.size());
+    std::vector<Frame> frames;
+    for (std::size_t k = 1; k <= count; ++k) {
+      frames.push_back(read_frame(file, places[places.size() * k / count - 1]));
+    }
+    return frames;
+  } catch (const h5::Failure& failure) {
+    throw InputError(fmt::format("{}: {}", path.string(), failure.what()));
+  }
+}
+
+}  // namespace vortree::io

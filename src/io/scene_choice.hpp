@@ -1,0 +1,31 @@
+#pragma once
+
+#include "io/scene.hpp"
+#include "io/scene_document.hpp"
+
+namespace vortree::io {
+
+/// Fills in what a scene leaves out: viscosity from flow.reynolds, and from `accuracy` whatever of
+/// cores, time step, merging, velocity tolerance and panels is not written.
+///
+/// With a body of diameter D in a stream U, accuracy e the drag's relative error (measured at
+/// Re = 550, where it is set by the cores):
+///
+///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer,
+///                                           not below the sqrt(4 nu dt) that a step adds
+///   dt        = min(2 e, 0.02 sqrt(550/Re)) D/U     the wall's vorticity turns less than 1 rad
+///   sigma_0   = sqrt(nu dt)                 panels: 1.42 sigma_0 long, 128 to 4000 of them
+///   merging.tolerance = 0.4 sqrt(e) U,  merging.reach = 3,  merging.cap = 1.2
+///   velocity.tolerance = e/1000
+///
+/// In free space, with L the least width and omega the mean vorticity of the initial vortex, e the
+/// relative error of its quadrupole (measured on gaussian_ellipse):
+///
+///   sigma_max = 1.2 L sqrt(e),  sigma_0 = sigma_max/1.3,  dt = 0.4/omega,
+///   merging.tolerance = 0.02 e L omega,  velocity.tolerance = e/1000
+///
+/// throws  InputError if both nu and reynolds are given and disagree, or a needed key is neither
+///         written nor chosen
+void choose_missing(const Document& document, Scene& scene);
+
+}  // namespace vortree::io

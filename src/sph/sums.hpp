@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+
+#include "tree/neighbors.hpp"
+
+namespace vortree::sph {
+
+/// Particles that sums run over: n of each.
+///
+/// reach   radius of the support, 2 h [m]
+struct Sources {
+  tree::Points points;
+  std::span<const double> mass, reach;
+};
+
+/// Density by summation, Wendland C6 in the plane:
+///
+///   rho_i = m_i W(0, h_i) + sum_j m_j W(|x_i - x_j|, (h_i + h_j) / 2),   h = reach / 2
+///
+/// so that the neighbors are those of PairRule::mean, and i gives j what j gives i.
+///
+/// rho     n densities [kg/m^2]; overwritten
+/// cost    one kernel a pair: O(n)
+/// source  Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992); Hernquist & Katz, Astrophys. J.
+/// Suppl.
+///         70 (1989), for the mean h
+///
+/// rows          by rule mean; both ways, rows shared by threads, or each pair once, one thread
+/// search        already placed; nothing is stored
+void density(const Sources& particles, const tree::Rows& rows, tree::Listing listing,
+             std::span<double> rho);
+void density(const Sources& particles, tree::Neighbors& search, std::span<double> rho);
+
+/// Gradient of a field, in the form that is exact for constants:
+///
+///   (grad f)_i = sum_j m_j / rho_j (f_j - f_i) grad_i W(|x_i - x_j|, (h_i + h_j) / 2)
+///
+/// volume   m_j / rho_j [m^2]
+/// gx, gy   n each; overwritten
+void gradient(const Sources& particles, std::span<const double> volume, std::span<const double> f,
+              const tree::Rows& rows, tree::Listing listing, std::span<double> gx,
+              std::span<double> gy);
+void gradient(const Sources& particles, std::span<const double> volume, std::span<const double> f,
+              tree::Neighbors& search, std::span<double> gx, std::span<double> gy);
+
+}  // namespace vortree::sph

@@ -1,0 +1,147 @@
+#include "vortex/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace vortree::vortex {
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+double length(Vec2 a) {
+  return std::sqrt(dot(a, a));
+}
+
+class Outline final : public Shape {
+ public:
+  explicit Outline(Curve curve) : curve_(std::move(curve)) {
+    arc_.push_back(0);
+    for (int i = 0; i < pieces; ++i) {
+      const Vec2 at = curve_(parameter(i)).at;
+      x_[i] = at.x;
+      y_[i] = at.y;
+      arc_.push_back(arc_.back() + arc_from(i, parameter(i + 1)));
+    }
+  }
+
+  double perimeter() const override { return arc_.back(); }
+
+  Vec2 point(double arc) const override {
+    arc -= perimeter() * std::floor(arc / perimeter());
+    const auto above = std::ranges::upper_bound(arc_, arc) - arc_.begin();
+    const int i = std::clamp(static_cast<int>(above) - 1, 0, pieces - 1);
+    double t = parameter(i) + (arc - arc_[i]) / (arc_[i + 1] - arc_[i]) * turn / pieces;
+    for (int k = 0; k < 8; ++k) t -= (arc_[i] + arc_from(i, t) - arc) / length(curve_(t).first);
+    return curve_(t).at;
+  }
+
+  WallPoint nearest(Vec2 at) const override {
+    const auto [t, c] = foot(at);
+    const double speed = length(c.first);
+    const Vec2 tangent = (1 / speed) * c.first, normal{tangent.y, -tangent.x};
+    const double curvature =
+        (c.first.x * c.second.y - c.first.y * c.second.x) / (speed * speed * speed);
+    const double round = t - turn * std::floor(t / turn);
+    const int i = std::clamp(static_cast<int>(round / turn * pieces), 0, pieces - 1);
+    return {arc_[i] + arc_from(i, round), dot(at - c.at, normal), normal, curvature};
+  }
+
+  double distance(Vec2 at) const override {
+    const auto [t, c] = foot(at);
+    const Vec2 out{c.first.y, -c.first.x}, d = at - c.at;
+    return std::copysign(length(d), dot(d, out));
+  }
+
+ private:
+  static constexpr int pieces = 512;
+
+  static double parameter(int i) { return turn * i / pieces; }
+
+  /// Length from place i on to a parameter nearby: three points of Gauss.
+  double arc_from(int i, double t) const {
+    const double a = parameter(i), h = t - a, g = std::sqrt(0.15);
+    return h / 18 *
+           (5 * length(curve_(a + (0.5 - g) * h).first) + 8 * length(curve_(a + 0.5 * h).first) +
+            5 * length(curve_(a + (0.5 + g) * h).first));
+  }
+
+  struct Foot {
+    double parameter;
+    CurvePoint at;
+  };
+
+  /// Where |at - curve|^2 has its least value.
+  Foot foot(Vec2 at) const {
+    int best = 0;
+    double least = INFINITY;
+    for (int i = 0; i < pieces; ++i) {
+      const double dx = at.x - x_[i], dy = at.y - y_[i], d2 = dx * dx + dy * dy;
+      if (d2 < least) {
+        least = d2;
+        best = i;
+      }
+    }
+    const double low = parameter(best - 1), high = parameter(best + 1);
+    double t = parameter(best);
+    CurvePoint c = curve_(t);
+    for (int k = 0; k < 20; ++k) {
+      const Vec2 d = c.at - at;
+      const double slope = dot(d, c.first), bend = dot(c.first, c.first) + dot(d, c.second);
+      // Where the curve bends away Newton would go uphill: there the length of the curve serves.
+      const double step = slope / (bend > 0 ? bend : dot(c.first, c.first));
+      const double next = std::clamp(t - step, low, high);
+      const bool settled = std::abs(next - t) < 1e-14;
+      t = next;
+      c = curve_(t);
+      if (settled) break;
+    }
+    return {t, c};
+  }
+
+  Curve curve_;
+  double x_[pieces], y_[pieces];
+  std::vector<double> arc_;
+};
+
+void require_positive(double value, const char* what) {
+  if (!(value > 0 && std::isfinite(value)))
+    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) +
+                                "; must be > 0");
+}
+
+/// Turned clockwise by an angle, then moved.
+class Placement {
+ public:
+  Placement(Vec2 centre, double incidence)
+      : centre_(centre), c_(std::cos(incidence)), s_(std::sin(incidence)) {}
+
+  CurvePoint operator()(const CurvePoint& p) const {
+    return {centre_ + turned(p.at), turned(p.first), turned(p.second)};
+  }
+
+ private:
+  Vec2 turned(Vec2 a) const { return {c_ * a.x + s_ * a.y, -s_ * a.x + c_ * a.y}; }
+
+  Vec2 centre_;
+  double c_, s_;
+};
+
+}  // namespace
+
+std::unique_ptr<Shape> outline(Curve curve) {
+  return std::make_unique<Outline>(std::move(curve));
+}
+
+std::unique_ptr<Shape> ellipse(Vec2 centre, double a, double b, double incidence) {
+  require_positive(a, "half axis of the ellipse");
+  require_positive(b, "half axis of the ellipse");
+  return outline([=, place = Placement(centre, incidence)](double t) {
+    const double c = std::cos(t), s = std::sin(t);
+    return place({{a * c, b * s}, {-a * s, b * c}, {-a * c, -b * s}});
+  });
+}
+
+}  // namespace vortree::vortex

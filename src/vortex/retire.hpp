@@ -1,0 +1,37 @@
+#pragma once
+
+#include "vortex/blobs.hpp"
+
+namespace vortree::vortex {
+
+/// A part of the plane, sides parallel to the axes.
+struct Box {
+  Vec2 low, high;
+
+  bool holds(Vec2 at) const {
+    return at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y;
+  }
+};
+
+/// The account of what has left: sum gamma and sum gamma x, which goes on with the stream,
+///
+///   d moment/dt = gamma stream.
+///
+/// It still counts for Kelvin's theorem and for the impulse, so that neither body nor forces notice
+/// that blobs leave, but is felt nowhere: of a wake that sheds gamma_s of either sign, h apart,
+/// every l of way the body misses a velocity of about gamma_s h/(2 pi l L), L its distance.
+/// (As two vortices far behind, one of each sign, it would drive itself back to the body.)
+struct Retired {
+  double gamma = 0;
+  Vec2 moment;
+
+  void drift(Vec2 stream, double dt) { moment = moment + (gamma * dt) * stream; }
+  friend Retired operator+(const Retired& a, const Retired& b) {
+    return {a.gamma + b.gamma, a.moment + b.moment};
+  }
+};
+
+/// Takes all blobs outside the box away, and says what they were.
+Retired retire(Blobs& blobs, const Box& box);
+
+}  // namespace vortree::vortex

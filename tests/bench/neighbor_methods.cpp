@@ -1,0 +1,91 @@
+#include "bench/neighbor_methods.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "bench/particle_sets.hpp"
+#include "tree/pairs.hpp"
+#include "tree/reaches.hpp"
+
+using namespace vortree;
+using tree::Listing;
+using tree::PairRule;
+
+namespace {
+
+// Every method finds the pairs of all pairs, listed as it should.
+void check_methods(tree::Points points, std::span<const double> reach, PairRule rule) {
+  const test::Pairs truth = test::all_pairs(points, reach, rule);
+  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
+    const auto method = maker.make();
+    for (const Listing listing : {Listing::both_ways, Listing::once}) {
+      if (rule == PairRule::own && listing == Listing::once) continue;
+      CAPTURE(maker.name, static_cast<int>(rule), static_cast<int>(listing), points.size());
+      const bench::NeighborJob job{points, reach, rule, listing};
+      tree::Rows rows;
+      method->build(job);
+      method->search(job, rows);
+      REQUIRE(rows.size() == points.size());
+      const bool equal = test::pairs_of(rows, listing) == truth;
+      REQUIRE(equal);
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every method lists the pairs that a test of all pairs finds, on every set") {
+  for (const char* name : {"uni:1", "uni:30", "cyl:1:20", "cyl:2:20", "cyl:3:20", "cyl:4:20",
+                           "cyl:5:20", "foil:6:20", "foil:7:24"}) {
+    const bench::ParticleSet set = bench::make_particles(name);
+    for (const PairRule rule : {PairRule::max, PairRule::mean, PairRule::own}) {
+      CAPTURE(name);
+      check_methods(set.points(), set.reach, rule);
+    }
+  }
+}
+
+TEST_CASE("every method lists them for clusters and for any reach") {
+  test::Chance chance(61);
+  for (int round = 0; round < 100; ++round) {
+    const test::Cloud cloud = test::any_cloud(200, chance);
+    // R-trees and lists of cells are not made for reaches near the largest number.
+    int kind = chance.whole(0, test::reach_kinds - 1);
+    if (kind == 4) kind = 1;
+    const auto reach = test::make_reach(kind, cloud.x.size(), test::extent_of(cloud), chance);
+    CAPTURE(round, cloud.name, kind);
+    for (const PairRule rule : {PairRule::max, PairRule::mean, PairRule::own}) {
+      check_methods(cloud.points(), reach, rule);
+    }
+  }
+}
+
+TEST_CASE("at full size all fast methods list the same pairs") {
+  const bench::ParticleSet set = bench::make_particles("cyl:5:100");
+  std::vector<std::int64_t> truth;
+  std::vector<std::uint64_t> sums;
+  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
+    if (maker.quadratic || maker.name == "linked-list") continue;
+    const bench::NeighborJob job{set.points(), set.reach};
+    const auto method = maker.make();
+    tree::Rows rows;
+    method->build(job);
+    method->search(job, rows);
+    // Of rows as sets: their lengths, and a sum of hashes.
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (const std::int32_t j : rows.row(i)) {
+        std::uint64_t h = i << 32 | static_cast<std::uint32_t>(j);
+        h = (h ^ h >> 31) * 0x9e3779b97f4a7c15;
+        sum += h ^ h >> 29;
+      }
+    }
+    const auto start = rows.start.span();
+    if (truth.empty()) truth.assign(start.begin(), start.end());
+    CAPTURE(maker.name);
+    CHECK(std::ranges::equal(truth, start));
+    sums.push_back(sum);
+  }
+  CHECK(truth.back() > 1000000);
+  CHECK(std::ranges::count(sums, sums[0]) == static_cast<std::ptrdiff_t>(sums.size()));
+}

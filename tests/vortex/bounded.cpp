@@ -1,0 +1,118 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "bench/periodogram.hpp"
+#include "flows.hpp"
+#include "vortex/merge_close.hpp"
+#include "vortex/retire.hpp"
+#include "vortex/split_wide.hpp"
+#include "vortex/step.hpp"
+
+using namespace vortree;
+using vortex::Blobs;
+
+TEST_CASE("what leaves a box is accounted for: circulation and impulse stay") {
+  Blobs blobs = test::cloud(1000, 0.01, 0.02);
+  const vortex::Invariants before = invariants(blobs, nullptr);
+  const vortex::Box box{{-0.3, -0.4}, {0.3, 0.4}};
+  const vortex::Retired gone = vortex::retire(blobs, box);
+  CHECK(blobs.size() < 600);
+  for (std::size_t i = 0; i < blobs.size(); ++i) REQUIRE(box.holds(blobs.centre(i)));
+  const vortex::Invariants after = invariants(blobs, nullptr);
+  CHECK(after.circulation + gone.gamma == Approx(before.circulation).epsilon(1e-12));
+  CHECK(after.moment.x + gone.moment.x == Approx(before.moment.x).epsilon(1e-12));
+  CHECK(after.moment.y + gone.moment.y == Approx(before.moment.y).epsilon(1e-12));
+  const Blobs inside = blobs;
+  CHECK(vortex::retire(blobs, box).gamma == 0);
+  CHECK(blobs == inside);
+}
+
+TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
+  const vortex::Wall wall(vortex::circle({}, 0.5), 60);
+  const auto direct = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+  const auto moments = [&](double edge) {
+    vortex::Problem problem{.flow = {{1, 0}, 0.05},
+                            .dt = 0.05,
+                            .sigma_0 = 0.05,
+                            .splitting = {0.2},
+                            .merging = {.tolerance = 0.1, .sigma_max = 0.22},
+                            .box = vortex::Box{{-99, -99}, {edge, 99}},
+                            .wall = &wall,
+                            .velocity = direct.get()};
+    Blobs blobs;
+    blobs.append({49.9, 3}, 0.2, 0.2);
+    blobs.append({49.9, -3}, -0.1, 0.2);
+    start(blobs, problem);
+    std::vector<vortex::Wake> wakes;
+    for (int k = 1; k <= 6; ++k) {
+      wakes.push_back(step(blobs, problem, k, [](std::string_view) {}));
+      problem.retired = wakes.back().retired;
+      const double circulation = invariants(blobs, nullptr).circulation + problem.retired.gamma;
+      CHECK(circulation == Approx(0).margin(1e-12));
+    }
+    return wakes;
+  };
+  const auto kept = moments(99), left = moments(50);
+  CHECK(kept.back().retired.gamma == 0);
+  CHECK(left.back().retired.gamma > 0.09);  // some children of the two are still inside
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    // Two vortices of 0.2 are felt 50 away as 6e-4 of the stream; the body feels all of that cease
+    // within one step.
+    CHECK(left[k].moment.x == Approx(kept[k].moment.x).margin(2e-3));
+    CHECK(left[k].moment.y == Approx(kept[k].moment.y).margin(2e-3));
+    CHECK(left[k].pressure.x == Approx(kept[k].pressure.x).epsilon(6e-3));
+  }
+}
+
+TEST_CASE("the widening lets a merger be felt at the body alike, from wherever cores widen") {
+  const vortex::Coarsening coarsening{0.5};
+  CHECK(coarsening.widening(0.1) == 1);
+  CHECK(coarsening.widening(0.5) == 1);
+  for (double d : {1.0, 5.0, 50.0}) {
+    const double w = coarsening.widening(d);
+    CHECK(w * std::pow(w / d, 3) == Approx(std::pow(1 / 0.5, 3)).epsilon(1e-5));
+  }
+  CHECK(vortex::Coarsening{}.widening(1e9) == 1);
+}
+
+TEST_CASE("beyond where cores widen, wider blobs stay whole, and more of them merge") {
+  const auto wall = vortex::circle({}, 0.5);
+  Blobs near = test::layer(3000, 1.2, 0.3, 0.02, 0.06), far = near;
+  for (std::size_t i = 0; i < far.size(); ++i) {
+    const double r = std::hypot(far.x[i], far.y[i]);
+    far.x[i] += 30 * far.x[i] / r;
+    far.y[i] += 30 * far.y[i] / r;
+  }
+  const vortex::Splitting splitting{.sigma_max = 0.03, .coarsening = {1}};
+  const auto pieces = [&](const Blobs& blobs) {
+    return split_apart(blobs, splitting, wall.get(), 1).all.size();
+  };
+  CHECK(pieces(far) == far.size());
+  CHECK(pieces(near) > 2 * near.size());
+
+  // A lattice of blobs merges by the same laws, whatever its scale, if the limits are as wide.
+  const vortex::Merging merging{.tolerance = 0.1, .reach = 3, .sigma_max = 0.033};
+  const auto left = [&](double distance, double scale) {
+    Blobs blobs;
+    for (int i = 0; i < 40; ++i)
+      for (int j = 0; j < 40; ++j)
+        blobs.append({0.5 + distance + 0.01 * scale * i, 0.01 * scale * (j - 20)},
+                     1e-4 * scale * scale, 0.02 * scale);
+    vortex::Parts parts = split_apart(blobs, splitting, wall.get(), 1);
+    merge_close(parts, merging);
+    return parts.all.size();
+  };
+  CHECK(left(81, 1) < 0.3 * left(0.45, 1));
+  CHECK(left(800, 1) < 10);
+}
+
+TEST_CASE("the frequency of a noisy sinusoid, to a hundredth of a bin") {
+  bench::Uniform uniform(3);
+  std::vector<double> samples;
+  const double dt = 0.05, f = 0.1637;
+  for (int i = 0; i < 1200; ++i)
+    samples.push_back(2 + std::cos(2 * std::numbers::pi * f * dt * i + 1) + 0.1 * uniform());
+  CHECK(bench::dominant_frequency(samples, dt) == Approx(f).margin(0.02 / (1200 * dt)));
+  CHECK_THROWS_AS(bench::power_spectrum(std::vector<double>(7)), std::invalid_argument);
+}

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tree/colleagues.hpp"
+#include "tree/pair_rule.hpp"
+#include "tree/placed.hpp"
+#include "tree/quadtree.hpp"
+#include "tree/row_search.hpp"
+#include "tree/rows.hpp"
+
+namespace vortree::tree {
+
+/// The tree that QCG asks for: by rule roomy, but no cell of a handful of particles split; in a
+/// domain so much larger than the points that the cells of some level are as wide as the largest
+/// reach. Particles whose reaches are halved from level to level then fill their cells.
+///
+/// cost    O(n) and the sort
+/// throws  std::invalid_argument if sizes differ, or naming the first coordinate that is not finite
+///         or the first reach that is negative or not finite
+[[nodiscard]] Quadtree build_for_reach(Points points, std::span<const double> reach);
+
+/// Neighbors of particles of many sizes: Quadtree Cells Grid.
+///
+/// Every particle is placed in the cell of its own level, the deepest whose side still spans its
+/// reach (or the childless cell that holds it, if that is coarser): coarse particles stay in cells
+/// that are split for the sake of finer ones, so that there are particles in cells of every level.
+///
+///   level(i) = max { l : side(l) >= (1 + 2^-18) r_i }
+///
+/// Particles are stored cell by cell, those of a cell before those of its descendants, so that a
+/// cell with everything finer in it is one range, and so is what is its own. Then
+///
+/// - every partner of a particle that is as fine or finer lies in the 3 x 3 cells of its own level:
+///   nine ranges. Where one of the nine is missing from the tree there are only coarser particles;
+/// - the coarser ones are the cell's ancestors' and their colleagues' own, level by level. For each
+///   pair once they need not be sought: the coarser particle of the pair finds it.
+///
+/// All particles of a cell share their candidates. Lists hold exactly the pairs for which
+/// tree/pair_rule.hpp says so. Threads share the work; lists do not depend on their number.
+///
+/// Any reach will do: from zero to far beyond the domain, continuous or halved from level to level.
+///
+/// cost    O(n) for placing; for each particle its candidates, some three for each neighbor. Memory
+///         kept: 28 bytes a particle, 80 a cell, one bit a candidate
+/// source  Khorasanizade & Sousa 2019, Quadtree Cells Grid, corrected: pairs are sought from the
+///         coarser side, where neighbors two or more levels apart are not missed; each once;
+///         cells come from the tree, so none stays split when its fine particles have gone, and no
+///         particle is outside
+class Neighbors {
+ public:
+  /// Places particles in the tree of build_for_reach.
+  ///
+  /// reach   one for each point [m]
+  /// throws  as build_for_reach does
+  void place(Points points, std::span<const double> reach);
+
+  /// Places particles in a tree, which is no longer needed afterwards.
+  ///
+  /// tree    of these points; fast if as build_for_reach makes it
+  /// reach   one for each point [m]
+  /// throws  std::invalid_argument if sizes differ, if there are 2^31 points or more, or naming the
+  ///         first reach that is negative or not finite
+  void place(const Quadtree& tree, Points points, std::span<const double> reach);
+
+  /// Lists the neighbors of all placed particles.
+  ///
+  /// rows    overwritten; its buffers are used again
+  /// throws  std::invalid_argument for each pair once under rule own, which is not symmetric
+  void list(PairRule rule, Listing listing, Rows& rows);
+
+  /// Shows every particle that has neighbors, with them, to a visitor; no list is stored.
+  void visit(PairRule rule, Listing listing, const RowVisitor& visitor);
+
+  /// The particles in search order.
+  [[nodiscard]] const Placed& placed() const { return placed_; }
+
+  /// Memory kept for the next time [bytes].
+  [[nodiscard]] std::size_t bytes() const;
+
+ private:
+  // Placed particles of a cell: its own [first, finer), those of its descendants [finer, last).
+  struct Content {
+    std::uint32_t first, finer, last;
+  };
+
+  void place_sorted(const Quadtree& tree, Points points);
+  void find_cells(const Quadtree& tree);
+  void lay_out(std::span<const Cell> cells);
+  void fill(const Quadtree& tree, Points points);
+  void find_coarser(std::span<const Cell> cells);
+  void make_groups(const Quadtree& tree);
+  void name_candidates(const Group& group, Listing listing, std::vector<Range>& others) const;
+
+  Placed placed_;
+  Buffer<double> sorted_;               // reaches in the tree's order
+  std::vector<Content> content_;        // of each cell
+  std::vector<Colleagues> colleagues_;  // of each cell
+  std::vector<std::int32_t> coarser_;   // next ancestor with particles of its own nearby; -1: none
+  std::vector<std::uint8_t> rise_;      // of each point in the tree's order: levels above its leaf
+  std::vector<Group> groups_;
+  RowSearch search_;
+};
+
+/// The same in one call.
+[[nodiscard]] Rows neighbors(const Quadtree& tree, Points points, std::span<const double> reach,
+                             PairRule rule, Listing listing = Listing::both_ways);
+
+}  // namespace vortree::tree
