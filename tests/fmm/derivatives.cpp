@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "fmm/field.hpp"
 #include "fmm/plan.hpp"
 #include "fmm/vorticity.hpp"
 #include "point_sets.hpp"
@@ -78,6 +79,38 @@ TEST_CASE("logarithms keep the last bits, near one and at the ends of the range"
     REQUIRE(std::abs(fmm::logarithm(fill(x))[0] - std::log(x)) <= 5e-16 * std::abs(std::log(x)));
   }
   CHECK(fmm::logarithm(fill(1.0))[0] == 0.0);
+}
+
+TEST_CASE("near pairs agree with their plain twin to round-off, from r = 1e-7 cores to 30") {
+  test::Uniform uniform(7);
+  const fmm::CoreShares shares(fmm::Cores::source);
+  for (int k = 0; k < 3000; ++k) {
+    const double angle = 2 * pi * uniform(), sigma = std::exp(-8 * uniform());
+    const double r = k % 100 == 0 ? 0.0 : sigma * std::exp(std::log(1e-7) + 19.5 * uniform());
+    const double gamma = 2 * uniform() - 1, core = sigma * sigma;
+    fmm::Packed source;
+    source.restart(1);
+    source.add(0.0, 0.0, gamma, core);
+    source.close();
+    std::vector<double> x(8, r * std::cos(angle)), y(8, r * std::sin(angle)), cores(8), sum[4];
+    for (auto& values : sum) values.assign(8, 0.0);
+    fmm::Gradient{}.add_cored(
+        source, shares,
+        {x.data(), y.data(), cores.data(), {&sum[0][0], &sum[1][0], &sum[2][0]}, 1});
+    fmm::StreamFunction{0.0, {}}.add_cored(source, shares,
+                                           {x.data(), y.data(), cores.data(), {&sum[3][0]}, 1});
+    test::ExactFields exact;
+    exact.add_cored(gamma, x[0], y[0], core);
+    const auto agree = [&](double found, long double expected, long double size) {
+      REQUIRE(std::abs(found - static_cast<double>(expected)) <= 1e-14 * static_cast<double>(size));
+    };
+    const long double size =
+        std::hypot(std::hypot(exact.ux, exact.ux), std::hypot(exact.uy, exact.vx));
+    agree(sum[1][0], exact.ux, size);
+    agree(sum[0][0] - sum[2][0], exact.uy, size);
+    agree(sum[0][0] + sum[2][0], exact.vx, size);
+    agree(sum[3][0] / -2, exact.psi, std::abs(gamma) * (1 + std::abs(std::log(core))));
+  }
 }
 
 TEST_CASE("gradient and stream function keep the tolerance, bare vortices") {
