@@ -38,7 +38,7 @@ class Boxes final : public Evaluator {
   [[nodiscard]] bool cored(const Arrangement& targets) const;
   [[nodiscard]] Acceptance acceptance(bool cored) const;
   template <class Field>
-  void evaluate_field(const Field& field, const Targets& targets,
+  void evaluate_field(const Field& field, const Order& order, const Targets& targets,
                       std::array<double*, 3> results) const;
   void evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
                    std::span<double> v) const;

@@ -12,12 +12,13 @@ namespace vortree::fmm {
 
 /// Each leaf of the targets' tree looks for its own series and near sources, from the root on.
 template <class Field>
-void Boxes::evaluate_field(const Field& field, const Targets& targets,
+void Boxes::evaluate_field(const Field& field, const Order& order, const Targets& targets,
                            std::array<double*, 3> results) const {
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], targets.size(), 0.0);
   if (targets.size() == 0 || blobs_.points.size() == 0) return;
   const Arrangement at = arrange(targets, units_, growth());
   Acceptance accepted = acceptance(cored(at));
+  accepted.order = order;
   if (accepted.reach2 > 0.0) accepted.reach2 = Field::reach2(options_.tolerance);
   const auto leaves = at.tree.childless();
   const std::uint32_t root[] = {0};
@@ -42,7 +43,7 @@ void Boxes::evaluate_field(const Field& field, const Targets& targets,
         const Frame frame{blobs_.shapes.x[met.cell], blobs_.shapes.y[met.cell], 0.0, 0.0,
                           scale(blobs_.shapes, met.cell)};
         field.add_multipole(SeriesView<double>{multipoles_.real(met.cell),
-                                               multipoles_.imaginary(met.cell), order_.most()},
+                                               multipoles_.imaginary(met.cell), met.terms},
                             frame, some);
       }
       near.pack(blobs_.points, gamma_, around, accepted, found);
@@ -59,13 +60,16 @@ void Boxes::evaluate_field(const Field& field, const Targets& targets,
 void Boxes::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
                      std::span<double> vx) const {
   if (phase_) phase_("evaluate");
-  evaluate_field(Gradient{}, targets, {uy.data(), ux.data(), vx.data()});
+  const int terms = order_.most();
+  const Order order =
+      options_.order > 0 ? order_ : Order::fixed(terms, slope_ratio(options_.tolerance, terms));
+  evaluate_field(Gradient{}, order, targets, {uy.data(), ux.data(), vx.data()});
   finish_gradient(units_, ux, uy, vx);
 }
 
 void Boxes::stream_function(const Targets& targets, std::span<double> psi) const {
   if (phase_) phase_("evaluate");
-  evaluate_field(StreamFunction{log_unit(units_), {}}, targets, {psi.data()});
+  evaluate_field(StreamFunction{log_unit(units_), {}}, order_, targets, {psi.data()});
   const double all = std::accumulate(gamma_.begin(), gamma_.end(), 0.0);
   finish_stream_function(units_, all, targets, psi);
 }

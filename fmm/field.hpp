@@ -43,13 +43,9 @@ struct CoreShares {
 struct Gradient {
   static constexpr std::size_t count = 3;
 
-  /// What a local expansion of p terms lacks of f, its derivative lacks p times over and once more
-  /// for every length of the cell. So it is taken that many levels above the smallest cell, where
-  /// lengths are eight times larger; multipoles serve below.
-  static constexpr int levels_up = 3;
-
-  /// r^2/S from which on a core counts as nothing (core_reach2): where what it takes from the
-  /// strain, (1 + q) exp(-q) of it, is what exp(-q) is for the velocity.
+  /// r^2/S from which on a core counts as nothing: where what it takes from the strain, (1 + q)
+  /// exp(-q) of it, is what exp(-q) is for the velocity; farther than the lists of cells go by.
+  static constexpr bool farther = true;
   static double reach2(double tolerance);
 
   template <class Number>
@@ -70,7 +66,8 @@ struct Gradient {
 /// twin    tests/fmm/derivatives.cpp, in long double
 struct StreamFunction {
   static constexpr std::size_t count = 1;
-  static constexpr int levels_up = 0;
+  /// That of the velocity (core_reach2).
+  static constexpr bool farther = false;
   static double reach2(double tolerance);
 
   /// unit      ln r^2 of what pairs of bare blobs at r = 0 get in its place: the user's unit

@@ -65,10 +65,10 @@ class Full final : public Evaluator {
   void evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
                           std::span<double> v) const;
   void sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const;
-  template <class Field>
-  void evaluate_field(const Field& field, const Targets& targets,
+  template <class Field, class Number>
+  void evaluate_field(const Field& field, const FarField<Number>& far, const Targets& targets,
                       std::array<double*, 3> results) const;
-  [[nodiscard]] std::uint32_t ancestor(std::uint32_t cell, int levels_up, double reach2) const;
+  [[nodiscard]] std::uint32_t wide_cell(std::uint32_t cell, double reach2) const;
   [[nodiscard]] std::uint32_t holder(double x, double y) const;
   void find_sources(std::uint32_t cell, const TargetBox& box, const Acceptance& accepted,
                     Elsewhere& found) const;

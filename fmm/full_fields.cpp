@@ -7,23 +7,23 @@
 
 namespace vortree::fmm {
 
-/// So many levels above a cell, or higher, where no core reaches across a cell: all that a local
+/// The cell itself or an ancestor so wide that no core reaches across it: all that its local
 /// expansion stands for is a cell away.
-std::uint32_t Full::ancestor(std::uint32_t cell, int levels_up, double reach2) const {
+std::uint32_t Full::wide_cell(std::uint32_t cell, double reach2) const {
   const double widest = core_.empty() ? 0.0 : core_[0];
-  for (int k = 0; cell != outside; ++k) {
+  while (cell != outside) {
     const double side = tree_.frame(cell).side;
     const std::int32_t parent = tree_.cells()[cell].parent;
-    if (parent == nobody || (k >= levels_up && side * side >= reach2 * widest)) break;
+    if (side * side >= reach2 * widest || parent == nobody) break;
     cell = static_cast<std::uint32_t>(parent);
   }
   return cell;
 }
 
-/// The local expansion of the cell that holds a group or of an ancestor, series of cells near it,
-/// and sources one by one: as velocities elsewhere (full_elsewhere.cpp), but in doubles throughout.
-template <class Field>
-void Full::evaluate_field(const Field& field, const Targets& targets,
+/// The local expansion of a cell that holds a group, series of cells near it, and sources one by
+/// one: as velocities elsewhere (full_elsewhere.cpp), but in doubles throughout.
+template <class Field, class Number>
+void Full::evaluate_field(const Field& field, const FarField<Number>& far, const Targets& targets,
                           std::array<double*, 3> results) const {
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], targets.size(), 0.0);
   if (targets.size() == 0 || tree_.cells().empty()) return;
@@ -38,9 +38,8 @@ void Full::evaluate_field(const Field& field, const Targets& targets,
 #pragma omp for schedule(dynamic, 4)
     for (std::size_t b = 0; b < groups.size(); ++b) {
       const std::span<const Held> some = groups[b];
-      const std::uint32_t cell = Field::levels_up == 0
-                                     ? some[0].cell
-                                     : ancestor(some[0].cell, Field::levels_up, accepted.reach2);
+      const std::uint32_t own = some[0].cell;
+      const std::uint32_t cell = Field::farther ? wide_cell(own, accepted.reach2) : own;
       Batch& batch = found.batch;
       take(targets, units_, some, batch);
       FieldTargets at{batch.x.data(), batch.y.data(), batch.core.data(), {}, batch.size};
@@ -51,14 +50,10 @@ void Full::evaluate_field(const Field& field, const Targets& targets,
       const TargetBox box =
           around({at.x, at.y, at.core, batch.u.data(), batch.v.data(), batch.size});
       find_sources(cell, box, accepted, found);
-      std::visit(
-          [&](const auto& far) {
-            if (cell != outside) field.add_local(far.view_local(cell), tree_.frame(cell), cell, at);
-            for (const std::uint32_t c : found.series) {
-              field.add_multipole(far.view_multipole(c), tree_.frame(c), at);
-            }
-          },
-          far_);
+      if (cell != outside) field.add_local(far.view_local(cell), tree_.frame(cell), cell, at);
+      for (const std::uint32_t c : found.series) {
+        field.add_multipole(far.view_multipole(c), tree_.frame(c), at);
+      }
       found.sources.pack(leaves_.points, leaves_.gamma, box, accepted, found.near);
       found.sources.sum(field, CoreShares(options_.cores), at);
       for (std::size_t s = 0; s < Field::count; ++s) {
@@ -68,18 +63,29 @@ void Full::evaluate_field(const Field& field, const Targets& targets,
   }
 }
 
+/// The derivative of a series of p terms lacks (p + 1)/(1 - ratio) times as much, so it has series
+/// of its own, with a few more terms.
 void Full::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
                     std::span<double> vx) const {
+  const LatticeOrder order =
+      options_.order > 0 ? order_
+                         : LatticeOrder::for_tolerance(options_.tolerance / (2 * order_.most));
+  if (phase_) phase_("far");
+  FarField<double> far(stage(), TranslationTables<double>(order.most, order.terms));
+  far.descend(stage());
   if (phase_) phase_("near");
-  evaluate_field(Gradient{}, targets, {uy.data(), ux.data(), vx.data()});
+  evaluate_field(Gradient{}, far, targets, {uy.data(), ux.data(), vx.data()});
   finish_gradient(units_, ux, uy, vx);
 }
 
 void Full::stream_function(const Targets& targets, std::span<double> psi) const {
   if (phase_) phase_("near");
-  const std::vector<double> centres =
-      std::visit([&](const auto& far) { return stream_centres(stage(), far); }, far_);
-  evaluate_field(StreamFunction{log_unit(units_), centres}, targets, {psi.data()});
+  std::visit(
+      [&](const auto& far) {
+        const std::vector<double> centres = stream_centres(stage(), far);
+        evaluate_field(StreamFunction{log_unit(units_), centres}, far, targets, {psi.data()});
+      },
+      far_);
   const double all = std::accumulate(leaves_.gamma.begin(), leaves_.gamma.end(), 0.0);
   finish_stream_function(units_, all, targets, psi);
 }

@@ -15,6 +15,16 @@ int terms_for(double tolerance, double ratio) {
   return terms;
 }
 
+double slope_ratio(double tolerance, int terms) {
+  const double bound = tolerance / std::sqrt(terms + 1.0);
+  double low = 0.0, high = widest_ratio;
+  for (int step = 0; step < 50; ++step) {
+    const double ratio = 0.5 * (low + high), rest = 1.0 - ratio;
+    (std::pow(ratio, terms) <= bound * rest * rest ? low : high) = ratio;
+  }
+  return low;
+}
+
 Order Order::for_tolerance(double tolerance) {
   Order order;
   order.squared_ratio_ = widest_ratio * widest_ratio;
@@ -27,9 +37,9 @@ Order Order::for_tolerance(double tolerance) {
   return order;
 }
 
-Order Order::fixed(int terms) {
+Order Order::fixed(int terms, double ratio) {
   Order order;
-  order.squared_ratio_ = one_cell_apart * one_cell_apart;
+  order.squared_ratio_ = ratio * ratio;
   order.per_bin_ = bins / order.squared_ratio_;
   order.terms_.fill(terms);
   order.most_ = terms;

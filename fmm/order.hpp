@@ -23,6 +23,10 @@ namespace vortree::fmm {
 /// Terms that keep a tolerance at a ratio in [0, 1).
 [[nodiscard]] int terms_for(double tolerance, double ratio);
 
+/// The ratio up to which so many terms keep a tolerance of the derivative of a series, which lacks
+/// (p + 1)/(1 - ratio) times what the series lacks.
+[[nodiscard]] double slope_ratio(double tolerance, int terms);
+
 /// The ratio up to which cells meet by series when the order is chosen by tolerance, the cheapest
 /// on average between few terms of small cells and many terms of large ones.
 inline constexpr double widest_ratio = 0.65;
@@ -35,8 +39,8 @@ class Order {
  public:
   /// As many terms as each ratio needs, up to widest_ratio.
   static Order for_tolerance(double tolerance);
-  /// The same number of terms everywhere, up to the paper's ratio.
-  static Order fixed(int terms);
+  /// The same number of terms everywhere, up to a ratio, or to the paper's.
+  static Order fixed(int terms, double ratio = one_cell_apart);
 
   [[nodiscard]] int most() const { return most_; }
   [[nodiscard]] double squared_ratio() const { return squared_ratio_; }

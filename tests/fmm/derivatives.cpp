@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "fmm/field.hpp"
 #include "fmm/plan.hpp"
 #include "fmm/vorticity.hpp"
 #include "point_sets.hpp"
@@ -80,6 +81,38 @@ TEST_CASE("logarithms keep the last bits, near one and at the ends of the range"
   CHECK(fmm::logarithm(fill(1.0))[0] == 0.0);
 }
 
+TEST_CASE("near pairs agree with their plain twin to round-off, from r = 1e-7 cores to 30") {
+  test::Uniform uniform(7);
+  const fmm::CoreShares shares(fmm::Cores::source);
+  for (int k = 0; k < 3000; ++k) {
+    const double angle = 2 * pi * uniform(), sigma = std::exp(-8 * uniform());
+    const double r = k % 100 == 0 ? 0.0 : sigma * std::exp(std::log(1e-7) + 19.5 * uniform());
+    const double gamma = 2 * uniform() - 1, core = sigma * sigma;
+    fmm::Packed source;
+    source.restart(1);
+    source.add(0.0, 0.0, gamma, core);
+    source.close();
+    std::vector<double> x(8, r * std::cos(angle)), y(8, r * std::sin(angle)), cores(8), sum[4];
+    for (auto& values : sum) values.assign(8, 0.0);
+    fmm::Gradient{}.add_cored(
+        source, shares,
+        {x.data(), y.data(), cores.data(), {&sum[0][0], &sum[1][0], &sum[2][0]}, 1});
+    fmm::StreamFunction{0.0, {}}.add_cored(source, shares,
+                                           {x.data(), y.data(), cores.data(), {&sum[3][0]}, 1});
+    test::ExactFields exact;
+    exact.add_cored(gamma, x[0], y[0], core);
+    const auto agree = [&](double found, long double expected, long double size) {
+      REQUIRE(std::abs(found - static_cast<double>(expected)) <= 1e-14 * static_cast<double>(size));
+    };
+    const long double size =
+        std::hypot(std::hypot(exact.ux, exact.ux), std::hypot(exact.uy, exact.vx));
+    agree(sum[1][0], exact.ux, size);
+    agree(sum[0][0] - sum[2][0], exact.uy, size);
+    agree(sum[0][0] + sum[2][0], exact.vx, size);
+    agree(sum[3][0] / -2, exact.psi, std::abs(gamma) * (1 + std::abs(std::log(core))));
+  }
+}
+
 TEST_CASE("gradient and stream function keep the tolerance, bare vortices") {
   for (const test::Kind kind : test::every_kind) {
     CAPTURE(test::kind_names[static_cast<int>(kind)]);
@@ -117,7 +150,7 @@ TEST_CASE("gradient and stream function keep the tolerance in a smooth flow") {
 
 TEST_CASE("differences of the velocity are the gradient, of the stream function the velocity") {
   for (const Widths width : {Widths::bare, Widths::even}) {
-    const Cloud cloud(test::make_points(test::Kind::ringwake, 2000), width, 0 + 100);
+    const Cloud cloud(test::make_points(test::Kind::ringwake, 2000), width, 100);
     const fmm::Plan plan(cloud.set.blobs(), {.tolerance = 1e-13});
     const double step = width == Widths::bare ? 1e-6 : 1e-5;
     std::vector<double> x, y;
@@ -229,8 +262,7 @@ TEST_CASE("hard sets keep the tolerance: coincident, in line, far off, apart, de
     for (const bool cored : {false, true}) {
       CAPTURE(shape, cored);
       const test::PointSet set = make_hard(shape, cored);
-      // for the targets at the blobs of one place alone, everything is nothing
-      if (shape == 0 && !cored) continue;
+      if (shape == 0 && !cored) continue;  // nothing, see below
       const fmm::Targets targets{set.x, set.y, {}};
       const auto exact = test::exact_fields(set.blobs(), targets, fmm::Cores::source);
       for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
@@ -267,9 +299,9 @@ TEST_CASE("other units of length add a constant to the stream function, and noth
   for (std::size_t i = 0; i < set.size(); ++i) CHECK(there.ux[i] == here.ux[i] * 0x1p-20);
 }
 
-TEST_CASE("strengths of 1e-300 and 1e300 and extreme places end without NaN") {
+TEST_CASE("strengths of 1e-300 and 1e250 and extreme places end without NaN") {
   test::PointSet set = make_hard(5, true);
-  for (std::size_t i = 0; i < set.size(); ++i) set.gamma[i] *= i % 2 == 0 ? 1e-300 : 1e300;
+  for (std::size_t i = 0; i < set.size(); ++i) set.gamma[i] *= i % 2 == 0 ? 1e-300 : 1e250;
   set.sigma[3] = 1e250, set.sigma[4] = 1e-200;
   std::vector<double> x = set.x, y = set.y;
   for (const double at : {1e300, -1e154, 1e80, 1e-300, 1e-17}) x.push_back(at), y.push_back(at);
