@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "tree/block_kernel.hpp"
+#include "tree/candidate_kernel.hpp"
 #include "tree/pair_rule.hpp"
 #include "tree/placed.hpp"
 

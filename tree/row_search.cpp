@@ -3,7 +3,7 @@
 #include <bit>
 #include <utility>
 
-#include "tree/block.hpp"
+#include "tree/candidates.hpp"
 
 namespace vortree::tree {
 
@@ -52,14 +52,14 @@ class RowSearch::Pass {
       chunk.others.insert(chunk.others.end(), others_.begin(), others_.end());
       chunk.other_count.push_back(static_cast<std::uint32_t>(others_.size()));
       gather(group, others_);
-      const auto kept = block_.kept();
+      const auto kept = candidates_.kept();
       chunk.kept.insert(chunk.kept.end(), kept.begin(), kept.end());
-      const bool keeps = block_.registers() <= most_kept_registers;
+      const bool keeps = candidates_.registers() <= most_kept_registers;
       std::vector<kernel::Hits>& hits = keeps ? chunk.hits : hits_;
       if (!keeps) hits.clear();
       for (std::uint32_t local = 0; local < group.own.size(); ++local) {
         const std::size_t at = keeps ? hits.size() : 0;
-        hits.resize(at + block_.registers() - first_register(local));
+        hits.resize(at + candidates_.registers() - first_register(local));
         length[static_cast<std::size_t>(placed_.id[group.own.first + local])] =
             test(local, hits.data() + at);
       }
@@ -93,7 +93,7 @@ class RowSearch::Pass {
     for (const Group& group : groups.subspan(chunk.first, chunk.last - chunk.first)) {
       find_others(group);
       gather(group, others_);
-      find_numbers(group.own, others_, block_.kept().data());
+      find_numbers(group.own, others_, candidates_.kept().data());
       row_.renew((registers_ + 1) * single_count);
       for (std::uint32_t local = 0; local < group.own.size(); ++local) {
         if (test_aside(local) == 0) continue;
@@ -112,11 +112,11 @@ class RowSearch::Pass {
 
   void gather(const Group& group, std::span<const Range> others) {
     if (rule_ == PairRule::max) {
-      block_.gather<PairRule::max>(placed_, group.own, others, group.length);
+      candidates_.gather<PairRule::max>(placed_, group.own, others, group.length);
     } else if (rule_ == PairRule::mean) {
-      block_.gather<PairRule::mean>(placed_, group.own, others, group.length);
+      candidates_.gather<PairRule::mean>(placed_, group.own, others, group.length);
     } else {
-      block_.gather<PairRule::own>(placed_, group.own, others, group.length);
+      candidates_.gather<PairRule::own>(placed_, group.own, others, group.length);
     }
   }
 
@@ -138,10 +138,10 @@ class RowSearch::Pass {
   // Tests an own particle; itself is no hit, nor, for each pair once, who is before it.
   std::int64_t test(std::uint32_t local, kernel::Hits* hits) {
     const std::size_t first = first_register(local);
-    const std::int64_t all = rule_ == PairRule::max ? block_.test<PairRule::max>(local, first, hits)
-                             : rule_ == PairRule::mean
-                                 ? block_.test<PairRule::mean>(local, first, hits)
-                                 : block_.test<PairRule::own>(local, first, hits);
+    const std::int64_t all =
+        rule_ == PairRule::max    ? candidates_.test<PairRule::max>(local, first, hits)
+        : rule_ == PairRule::mean ? candidates_.test<PairRule::mean>(local, first, hits)
+                                  : candidates_.test<PairRule::own>(local, first, hits);
     const unsigned itself = 1u << local % single_count;
     const unsigned barred = listing_ == Listing::once ? 2 * itself - 1 : itself;
     kernel::Hits& set = hits[local / single_count - first];
@@ -151,7 +151,7 @@ class RowSearch::Pass {
   }
 
   std::int64_t test_aside(std::uint32_t local) {
-    hits_.resize(block_.registers());
+    hits_.resize(candidates_.registers());
     return test(local, hits_.data());
   }
 
@@ -192,7 +192,7 @@ class RowSearch::Pass {
   const NameCandidates& name_;
   PairRule rule_;
   Listing listing_;
-  Block block_;
+  Candidates candidates_;
   std::vector<Range> others_;
   Buffer<std::int32_t> numbers_, row_;  // of all candidates; of those that were hit
   std::size_t registers_ = 0;

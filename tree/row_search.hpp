@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "tree/block_kernel.hpp"
+#include "tree/candidate_kernel.hpp"
 #include "tree/pair_rule.hpp"
 #include "tree/placed.hpp"
 #include "tree/points.hpp"

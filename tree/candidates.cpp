@@ -1,4 +1,4 @@
-#include "tree/block.hpp"
+#include "tree/candidates.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr std::size_t in_registers(std::size_t n) {
 
 }  // namespace
 
-Block::Frame Block::frame(const Placed& placed, Range own, double length) {
+Candidates::Frame Candidates::frame(const Placed& placed, Range own, double length) {
   double left = placed.x[own.first], right = left, low = placed.y[own.first], high = low;
   double largest = 0;
   for (std::uint32_t p = own.first; p < own.last; ++p) {
@@ -36,7 +36,7 @@ Block::Frame Block::frame(const Placed& placed, Range own, double length) {
 }
 
 template <PairRule rule>
-void Block::add_own(const Placed& placed, Range own, const Frame& frame) {
+void Candidates::add_own(const Placed& placed, Range own, const Frame& frame) {
   for (std::uint32_t k = own.first; k < own.last; k += single_count, size_ += single_count) {
     const Singles u = kernel::near_floats(placed.x.data() + k, frame.x, frame.scale);
     const Singles v = kernel::near_floats(placed.y.data() + k, frame.y, frame.scale);
@@ -49,7 +49,7 @@ void Block::add_own(const Placed& placed, Range own, const Frame& frame) {
 }
 
 template <PairRule rule>
-void Block::add(const Placed& placed, Range others, const Frame& frame) {
+void Candidates::add(const Placed& placed, Range others, const Frame& frame) {
   const Singles zero{}, own = fill(kernel::reach_term<rule>(frame.largest));
   Singles farthest = fill(farthest_);
   for (std::uint32_t k = others.first; k < others.last; k += single_count) {
@@ -79,7 +79,7 @@ void Block::add(const Placed& placed, Range others, const Frame& frame) {
 }
 
 // Fills the last register with what is near to nobody.
-void Block::close() {
+void Candidates::close() {
   registers_ = in_registers(size_);
   for (std::size_t k = size_; k < registers_ * single_count; ++k) {
     u_[k] = v_[k] = 1e12f;
@@ -88,7 +88,8 @@ void Block::close() {
 }
 
 template <PairRule rule>
-void Block::gather(const Placed& placed, Range own, std::span<const Range> others, double length) {
+void Candidates::gather(const Placed& placed, Range own, std::span<const Range> others,
+                        double length) {
   std::size_t room = own.size();
   for (const Range range : others) room += range.size();
   for (Buffer<float>* values : {&u_, &v_, &reach_}) values->renew(room + 2 * single_count);
@@ -107,7 +108,7 @@ void Block::gather(const Placed& placed, Range own, std::span<const Range> other
   h2_ = widest * widest + 1e-30f;
 }
 
-void Block::find_positions() {
+void Candidates::find_positions() {
   position_.resize(own_.size());
   std::iota(position_.begin(), position_.end(), static_cast<std::int32_t>(own_.first));
   const kernel::Hits* set = kept_.data();
@@ -121,7 +122,7 @@ void Block::find_positions() {
 }
 
 template <PairRule rule>
-std::int64_t Block::test(std::size_t local, std::size_t first, kernel::Hits* hits) {
+std::int64_t Candidates::test(std::size_t local, std::size_t first, kernel::Hits* hits) {
   const kernel::Tested tested =
       kernel::test<rule>({u_.data(), v_.data(), reach_.data()}, first, registers_, u_[local],
                          v_[local], reach_[local], kernel::doubt * h2_, hits);
@@ -146,11 +147,14 @@ std::size_t gather_numbers(const Buffer<std::int32_t>& of, Range own, std::span<
   return static_cast<std::size_t>(set - kept);
 }
 
-template void Block::gather<PairRule::max>(const Placed&, Range, std::span<const Range>, double);
-template void Block::gather<PairRule::mean>(const Placed&, Range, std::span<const Range>, double);
-template void Block::gather<PairRule::own>(const Placed&, Range, std::span<const Range>, double);
-template std::int64_t Block::test<PairRule::max>(std::size_t, std::size_t, kernel::Hits*);
-template std::int64_t Block::test<PairRule::mean>(std::size_t, std::size_t, kernel::Hits*);
-template std::int64_t Block::test<PairRule::own>(std::size_t, std::size_t, kernel::Hits*);
+template void Candidates::gather<PairRule::max>(const Placed&, Range, std::span<const Range>,
+                                                double);
+template void Candidates::gather<PairRule::mean>(const Placed&, Range, std::span<const Range>,
+                                                 double);
+template void Candidates::gather<PairRule::own>(const Placed&, Range, std::span<const Range>,
+                                                double);
+template std::int64_t Candidates::test<PairRule::max>(std::size_t, std::size_t, kernel::Hits*);
+template std::int64_t Candidates::test<PairRule::mean>(std::size_t, std::size_t, kernel::Hits*);
+template std::int64_t Candidates::test<PairRule::own>(std::size_t, std::size_t, kernel::Hits*);
 
 }  // namespace vortree::tree

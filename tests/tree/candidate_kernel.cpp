@@ -1,4 +1,4 @@
-#include "tree/block_kernel.hpp"
+#include "tree/candidate_kernel.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "tree/block_kernel.hpp"
 #include "tree/buffer.hpp"
+#include "tree/candidate_kernel.hpp"
 #include "tree/pair_rule.hpp"
 #include "tree/placed.hpp"
 #include "tree/points.hpp"
@@ -17,8 +17,8 @@ namespace vortree::tree {
 /// Looked up and thinned out once, tested by every particle of the cell.
 ///
 /// Positions are floats, relative to the middle of the box, in units of about the cell's side: what
-/// a test in floats leaves in doubt is decided in doubles (block_kernel.hpp).
-class Block {
+/// a test in floats leaves in doubt is decided in doubles (candidate_kernel.hpp).
+class Candidates {
  public:
   /// own      the particles of the cell; not empty
   /// others   ranges without them
@@ -63,7 +63,7 @@ class Block {
 /// Those of the numbers `of` that the ranges of a block hold, in the block's order: own ones first,
 /// then those kept of each range.
 ///
-/// kept     as Block::kept says; the sets that were used are returned
+/// kept     as Candidates::kept says; the sets that were used are returned
 /// to       room for all numbers of the ranges, and a register more
 /// count    set to how many there are
 std::size_t gather_numbers(const Buffer<std::int32_t>& of, Range own, std::span<const Range> others,
