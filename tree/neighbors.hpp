@@ -45,7 +45,7 @@ namespace vortree::tree {
 /// Any reach will do: from zero to far beyond the domain, continuous or halved from level to level.
 ///
 /// cost    O(n) for placing; for each particle its candidates, some three for each neighbor. Memory
-///         kept: 28 bytes a particle, 80 a cell, one bit a candidate
+///         kept: 37 bytes a particle, 90 a cell, a bit or two a candidate
 /// source  Khorasanizade & Sousa 2019, Quadtree Cells Grid, corrected: pairs are sought from the
 ///         coarser side, where neighbors two or more levels apart are not missed; each once;
 ///         cells come from the tree, so none stays split when its fine particles have gone, and no
