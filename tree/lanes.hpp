@@ -110,12 +110,14 @@ using HalfSingles [[gnu::vector_size(register_bytes / 2)]] = float;
 inline Lanes low(Singles a) {
   return [&]<int... lane>(std::integer_sequence<int, lane...>) {
     return __builtin_convertvector(__builtin_shufflevector(a, a, lane...), Lanes);
-  }(std::make_integer_sequence<int, lane_count>{});
+  }
+  (std::make_integer_sequence<int, lane_count>{});
 }
 inline Lanes high(Singles a) {
   return [&]<int... lane>(std::integer_sequence<int, lane...>) {
     return __builtin_convertvector(__builtin_shufflevector(a, a, (lane + lane_count)...), Lanes);
-  }(std::make_integer_sequence<int, lane_count>{});
+  }
+  (std::make_integer_sequence<int, lane_count>{});
 }
 
 /// Two vectors of doubles as one of floats.
@@ -124,7 +126,8 @@ inline Singles narrowed(Lanes first, Lanes second) {
   const HalfSingles b = __builtin_convertvector(second, HalfSingles);
   return [&]<int... lane>(std::integer_sequence<int, lane...>) {
     return __builtin_shufflevector(a, b, lane...);
-  }(std::make_integer_sequence<int, single_count>{});
+  }
+  (std::make_integer_sequence<int, single_count>{});
 }
 
 inline double sum(Singles a) {

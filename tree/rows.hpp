@@ -10,7 +10,8 @@
 namespace vortree::tree {
 
 /// both_ways   j stands in the row of i and i in the row of j
-/// once        each pair stands in one of the two rows: in that of the particle in the coarser cell,
+/// once        each pair stands in one of the two rows: in that of the particle in the coarser
+/// cell,
 ///             or, in cells of one level, of the one that is searched first
 enum class Listing { both_ways, once };
 

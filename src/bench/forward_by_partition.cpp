@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "bench/tree_rivals.hpp"
-#include "tree/memory.hpp"
 #include "tree/encode_kernel.hpp"
 #include "tree/grown.hpp"
+#include "tree/memory.hpp"
 #include "tree/pieces.hpp"
 #include "tree/run_sort.hpp"
 

@@ -5,7 +5,9 @@
 
 namespace vortree::exact {
 
-double LambOseen::core_at(double t) const { return std::sqrt(core * core + 4 * nu * t); }
+double LambOseen::core_at(double t) const {
+  return std::sqrt(core * core + 4 * nu * t);
+}
 
 double LambOseen::vorticity(double r, double t) const {
   const double s = core_at(t);
