@@ -10,7 +10,7 @@
 #include "tree/pair_rule.hpp"
 
 /// Distance tests of one particle against many, a register full of floats at a time, and lists of
-/// who passed. Plain twins: tests/tree/block_kernel.cpp.
+/// who passed. Plain twins: tests/tree/candidate_kernel.cpp.
 ///
 /// Positions are floats relative to a place nearby, so that a test is wrong only by some 2^-20 of
 /// its threshold; who is nearer to it than that is told, and decided in doubles by others. So the

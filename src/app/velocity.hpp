@@ -15,7 +15,7 @@ std::vector<std::string> velocity_methods();
 
 struct VelocityJob {
   std::filesystem::path in, out, targets;  // targets empty: the sources themselves
-  std::string method = "boxes";
+  std::string method = "fmm";
   fmm::Options options;
   bool verify = false;
   int repeat = 1;
