@@ -1,9 +1,9 @@
 #include "tree/memory.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <mutex>
+#include <new>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -12,7 +12,7 @@
 namespace vortree::kept_memory {
 namespace {
 
-constexpr std::size_t large_page = 2u << 20;
+constexpr std::align_val_t alignment{2u << 20};  // a large page
 
 // Sizes are rounded up, by an eighth at most, so that a little more or less next time fits.
 std::size_t rounded(std::size_t bytes) {
@@ -64,12 +64,11 @@ class Store {
 
  private:
   void* fresh(std::size_t size) {
-    void* memory = std::aligned_alloc(large_page, size);
+    void* memory = ::operator new(size, alignment, std::nothrow);
     if (memory == nullptr) {
       shrink(0);
-      memory = std::aligned_alloc(large_page, size);
+      memory = ::operator new(size, alignment);
     }
-    if (memory == nullptr) throw std::bad_alloc();
 #ifdef __linux__
     madvise(memory, size, MADV_HUGEPAGE);  // a wish: if refused, nothing is lost
 #endif
@@ -81,7 +80,7 @@ class Store {
     while (idle_bytes_ > bytes) {
       const auto smallest = idle_.begin();
       idle_bytes_ -= smallest->first;
-      std::free(smallest->second);
+      ::operator delete(smallest->second, alignment);
       idle_.erase(smallest);
     }
   }

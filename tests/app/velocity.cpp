@@ -129,7 +129,7 @@ TEST_CASE("one line of JSON says what was done") {
   };
   CHECK(ask("*d") == "n method builder threads tolerance order pairs peak_bytes seconds error");
   CHECK(ask("d['n'], d['method'], d['builder'], d['threads'], d['tolerance']") ==
-        "2000 boxes forward 2 1e-05");
+        "2000 fmm forward 2 1e-05");
   CHECK(ask("d['order'] > 0, d['pairs'] > 0, d['peak_bytes'] > 1e6") == "True True True");
   CHECK(ask("*list(d['seconds'])[:4], *list(d['seconds'])[-2:]") ==
         "tree upward far near total io");
