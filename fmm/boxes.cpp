@@ -69,7 +69,7 @@ bool Boxes::cored(const Arrangement& targets) const {
 
 Acceptance Boxes::acceptance(bool cored) const {
   return {.order = order_,
-          .reach2 = cored ? std::log(1.0 / options_.tolerance) : 0.0,
+          .reach2 = cored ? core_reach2(options_.tolerance) : 0.0,
           .cores = options_.cores};
 }
 

@@ -55,12 +55,9 @@ struct TargetBox {
 
 /// r^2/S from which on a core counts as nothing:
 ///
-///   reach2 = ln(1/(4 tolerance)), at least 1
+///   reach2 = ln(1/tolerance)
 ///
-/// A pair left out is wrong by exp(-r^2/S) <= 4 tolerance of itself at the very edge, R, and
-/// sources of density n farther out err by (n/(4 pi))^(1/2) exp(-R^2/S) S^(1/2)/(2R) together, if
-/// of random sign, where the velocity itself is (n ln(L/S^(1/2))/(2 pi))^(1/2) in a cloud of size
-/// L: that is under tolerance/4; even sheets of one sign cancel.
+/// Beyond, a pair is wrong by exp(-r^2/S) <= tolerance of itself.
 [[nodiscard]] inline double core_reach2(double tolerance) {
   return std::log(1.0 / tolerance);
 }
