@@ -1,9 +1,8 @@
 """What the figures of the velocity bench share: its table, and a colour for each method."""
 
-import csv
-
 import numpy as np
-from _style import BLUE, GREEN, GREY, ORANGE, RED, Broken, Nothing
+from _style import BLUE, GREEN, GREY, ORANGE, RED
+from _table import read_table
 
 METHODS = {"fmm": ("fast multipole method", BLUE, "o"), "boxes": ("box-to-point", ORANGE, "s"),
            "grid": ("Fourier grid", GREEN, "D"), "direct": ("direct sum", GREY, "^")}
@@ -17,26 +16,12 @@ class Bench:
 
     def __init__(self, run):
         self.path = run.file("velocity.csv")
-        try:
-            text = self.path.read_text()
-        except (OSError, UnicodeDecodeError):
-            raise Broken(f"{self.path}: cannot be read") from None
-        lines = text.splitlines()
-        self.notes = dict(line[2:].split(": ", 1) for line in lines
-                          if line.startswith("# ") and ": " in line)
-        table = list(csv.DictReader(line for line in lines if line and not line.startswith("#")))
-        if table and not text.endswith("\n"):
-            table.pop()  # cut short by a kill
-        try:
-            self.rows = [{name: word if name in WORDS else float(word or "nan")
-                          for name, word in row.items()} for row in table]
-            for row in self.rows:
-                row["phases"] = {name: float(seconds) for name, seconds in
-                                 (part.split("=") for part in row["phases"].split(";") if part)}
-        except (TypeError, ValueError, KeyError, AttributeError):
-            raise Broken(f"{self.path}: not a table of the velocity bench") from None
-        if not self.rows:
-            raise Nothing
+
+        def part_phases(row):
+            row["phases"] = {name: float(seconds) for name, seconds in
+                             (part.split("=") for part in row["phases"].split(";") if part)}
+
+        self.notes, self.rows = read_table(self.path, WORDS, "velocity", part_phases)
 
     def select(self, **wanted):
         return [row for row in self.rows if all(same(row[key], value)

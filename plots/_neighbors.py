@@ -1,9 +1,8 @@
 """What the figures of the neighbor bench share: its table, and a colour for each method."""
 
-import csv
-
 import numpy as np
-from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Broken, Nothing
+from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Broken
+from _table import read_table
 
 METHODS = {"qcg": ("QCG", BLUE, "o"), "level-grids": ("one grid a level", SKY, "s"),
            "uniform-grid": ("one grid, vector tests", GREEN, "D"),
@@ -18,23 +17,7 @@ class Bench:
 
     def __init__(self, run):
         self.path = run.file("neighbors.csv")
-        try:
-            text = self.path.read_text()
-        except (OSError, UnicodeDecodeError):
-            raise Broken(f"{self.path}: cannot be read") from None
-        lines = text.splitlines()
-        self.notes = dict(line[2:].split(": ", 1) for line in lines
-                          if line.startswith("# ") and ": " in line)
-        table = list(csv.DictReader(line for line in lines if line and not line.startswith("#")))
-        if table and not text.endswith("\n"):
-            table.pop()  # cut short by a kill
-        try:
-            self.rows = [{name: word if name in WORDS else float(word or "nan")
-                          for name, word in row.items()} for row in table]
-        except (TypeError, ValueError, AttributeError):
-            raise Broken(f"{self.path}: not a table of the neighbor bench") from None
-        if not self.rows:
-            raise Nothing
+        self.notes, self.rows = read_table(self.path, WORDS, "neighbor")
 
     def select(self, **wanted):
         """Rows by rule max, both ways, shuffled, one thread, unless it is said otherwise; few

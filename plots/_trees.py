@@ -1,8 +1,7 @@
 """What the figures of the tree bench share: its tables, and a look for each way to a tree."""
 
-import csv
-
-from _style import BLUE, GREEN, GREY, ORANGE, RED, SKY, Broken, Nothing
+from _style import BLUE, GREEN, GREY, ORANGE, RED, SKY
+from _table import read_table
 
 BUILDERS = {"partition": ("forward by partition", ORANGE, "s"),
             "forward": ("forward on sorted codes", RED, "D"),
@@ -22,24 +21,7 @@ class Table:
     """Rows of a table of the tree bench, and what its notes say."""
 
     def __init__(self, run, name):
-        path = run.file(name)
-        try:
-            text = path.read_text()
-        except (OSError, UnicodeDecodeError):
-            raise Broken(f"{path}: cannot be read") from None
-        lines = text.splitlines()
-        self.notes = dict(line[2:].split(": ", 1) for line in lines
-                          if line.startswith("# ") and ": " in line)
-        table = list(csv.DictReader(line for line in lines if line and not line.startswith("#")))
-        if table and not text.endswith("\n"):
-            table.pop()  # cut short by a kill
-        try:
-            self.rows = [{name: word if name in WORDS else float(word or "nan")
-                          for name, word in row.items()} for row in table]
-        except (TypeError, ValueError):
-            raise Broken(f"{path}: not a table of the tree bench") from None
-        if not self.rows:
-            raise Nothing
+        self.notes, self.rows = read_table(run.file(name), WORDS, "tree")
 
     def select(self, **wanted):
         return [row for row in self.rows if all(row[key] == value
