@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t ahead = 48;  // places to ask memory for in advance
 constexpr std::uint32_t crowd = 256;
+constexpr std::size_t many = 20000;  // blobs that threads share
 
 bool any_core(const Blobs& blobs) {
   for (const double sigma : blobs.sigma) {
@@ -17,12 +18,56 @@ bool any_core(const Blobs& blobs) {
   return false;
 }
 
+/// All of a vortex in one line of the cache: in the order of the tree it is a line from anywhere.
+struct alignas(32) Vortex {
+  double x, y, gamma, core;
+};
+
+/// The blobs in input order, in Units.
+Unwritten<Vortex> side_by_side(const Blobs& blobs, const Units& units, bool cored) {
+  const std::size_t n = blobs.size();
+  Unwritten<Vortex> vortices(n);
+#pragma omp parallel for schedule(static) if (n > many)
+  for (std::size_t i = 0; i < n; ++i) {
+    vortices[i] = {units.position(blobs.x[i]), units.position(blobs.y[i]),
+                   units.circulation(blobs.gamma[i]),
+                   cored ? units.squared_core(blobs.sigma[i]) : 0.0};
+  }
+  return vortices;
+}
+
 }  // namespace
 
 Leaves::Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units) {
+  number(tree);
+  const bool cored = any_core(blobs);
+  auto& [x, y, core] = points;
+  for (auto* values : {&x, &y, &gamma}) values->resize(places());
+  if (cored) core.resize(places());
   const auto cells = tree.cells();
   const auto childless = tree.childless();
   const auto order = tree.order();
+  const Unwritten<Vortex> vortices = side_by_side(blobs, units, cored);
+#pragma omp parallel for schedule(static)
+  for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) {
+    const tree::Range run = cells[childless[leaf]].points;
+    std::uint32_t to = start[leaf];
+    for (std::uint32_t j = run.first; j < run.last; ++j, ++to) {
+      __builtin_prefetch(&vortices[order[std::min(j + ahead, order.size() - 1)]]);
+      const Vortex& vortex = vortices[order[j]];
+      x[to] = vortex.x, y[to] = vortex.y, gamma[to] = vortex.gamma;
+      if (cored) core[to] = vortex.core;
+    }
+    for (; to < start[leaf + 1]; ++to) {
+      x[to] = x[to - 1], y[to] = y[to - 1], gamma[to] = 0.0;
+      if (cored) core[to] = core[to - 1];
+    }
+  }
+}
+
+void Leaves::number(const DeepTree& tree) {
+  const auto cells = tree.cells();
+  const auto childless = tree.childless();
   start.resize(childless.size() + 1);
   size.resize(childless.size());
   std::uint32_t end = 0;
@@ -32,28 +77,6 @@ Leaves::Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units) {
     end += static_cast<std::uint32_t>(padded(size[leaf]));
   }
   start.back() = end;
-  const bool cored = any_core(blobs);
-  auto& [x, y, core] = points;
-  for (auto* values : {&x, &y, &gamma}) values->resize(end);
-  if (cored) core.resize(end);
-#pragma omp parallel for schedule(static)
-  for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) {
-    const tree::Range run = cells[childless[leaf]].points;
-    std::uint32_t to = start[leaf];
-    for (std::uint32_t j = run.first; j < run.last; ++j, ++to) {
-      const std::uint32_t i = order[j], next = order[std::min(j + ahead, order.size() - 1)];
-      __builtin_prefetch(&blobs.x[next]);
-      __builtin_prefetch(&blobs.y[next]);
-      __builtin_prefetch(&blobs.gamma[next]);
-      x[to] = units.position(blobs.x[i]), y[to] = units.position(blobs.y[i]);
-      gamma[to] = units.circulation(blobs.gamma[i]);
-      if (cored) core[to] = units.squared_core(blobs.sigma[i]);
-    }
-    for (; to < start[leaf + 1]; ++to) {
-      x[to] = x[to - 1], y[to] = y[to - 1], gamma[to] = 0.0;
-      if (cored) core[to] = core[to - 1];
-    }
-  }
 }
 
 bool Leaves::in_one_place(std::uint32_t leaf) const {

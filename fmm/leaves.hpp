@@ -38,6 +38,9 @@ struct Leaves {
     return sizeof(double) * (gamma.capacity() * 3 + points.core.capacity()) +
            sizeof(std::uint32_t) * (start.capacity() + size.capacity());
   }
+
+ private:
+  void number(const DeepTree& tree);
 };
 
 }  // namespace vortree::fmm
