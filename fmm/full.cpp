@@ -101,7 +101,7 @@ void Full::grow(const Blobs& blobs) {
   domain = tree::enlarge(domain, stretch(domain.side, std::max(even, reach)));
   tree::MortonOrder order = tree::morton_order({blobs.x, blobs.y}, domain, options_.finest_level);
   base_ = build(std::move(order), tree::crowded(options_.capacity), options_.builder);
-  tree_ = DeepTree(base_, {blobs.x, blobs.y}, units_, options_.capacity, options_.builder,
+  tree_ = DeepTree(base_, {blobs.x, blobs.y}, units_, options_.capacity,
                    options_.finest_level == tree::max_level);
   leaves_ = Leaves(tree_, blobs, units_);
 }

@@ -175,7 +175,7 @@ class Sorter {
 
 }  // namespace
 
-std::vector<std::uint32_t> radix_sort(std::vector<Key>& keys) {
+std::vector<std::uint32_t> radix_sort(std::span<Key> keys) {
   std::vector<std::uint32_t> index(keys.size());
   const Key differing = keys.empty() ? 0 : differing_bits(keys);
   if (differing == 0) {
@@ -186,7 +186,7 @@ std::vector<std::uint32_t> radix_sort(std::vector<Key>& keys) {
   return index;
 }
 
-void radix_sort(std::vector<Key>& keys, std::vector<std::uint32_t>& index) {
+void radix_sort(std::span<Key> keys, std::span<std::uint32_t> index) {
   if (index.size() != keys.size()) {
     throw std::invalid_argument("radix_sort: " + std::to_string(keys.size()) + " keys but " +
                                 std::to_string(index.size()) + " indices");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tree/morton.hpp"
@@ -16,11 +17,11 @@ namespace vortree::tree {
 /// cost    O(n): spread keys are moved once through memory and sorted in the cache, and every eight
 ///         bits that a crowd of them shares move it once more; 16 bytes a key of spare memory
 /// threads OpenMP; the result is the same for any number
-[[nodiscard]] std::vector<std::uint32_t> radix_sort(std::vector<Key>& keys);
+[[nodiscard]] std::vector<std::uint32_t> radix_sort(std::span<Key> keys);
 
 /// The same, carrying an index along.
 ///
 /// throws  std::invalid_argument if the sizes differ
-void radix_sort(std::vector<Key>& keys, std::vector<std::uint32_t>& index);
+void radix_sort(std::span<Key> keys, std::span<std::uint32_t> index);
 
 }  // namespace vortree::tree

@@ -58,7 +58,7 @@ struct Grown {
         base(tree::build_reverse(
             tree::morton_order({places.x, places.y}, tree::enclose({places.x, places.y}), finest),
             tree::crowded(capacity))),
-        tree(base, {places.x, places.y}, units, capacity, fmm::Builder::reverse, deepen) {}
+        tree(base, {places.x, places.y}, units, capacity, deepen) {}
 };
 
 /// Numbers of twice the digits.
