@@ -8,6 +8,7 @@
 #include "tree/encode_kernel.hpp"
 #include "tree/pieces.hpp"
 #include "tree/radix_sort.hpp"
+#include "tree/run_sort.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -38,24 +39,21 @@ Frame child_frame(const Frame& parent, int quadrant) {
   return child;
 }
 
-/// Codes of at most `portion` points in the frame of a cell.
-void encode_in(const Frame& at, const Units& units, tree::Points points,
-               std::span<const std::uint32_t> order, tree::Key* keys) {
+/// Codes of the first n vortices of the order, at most `portion`, in the frame of their cell.
+void encode_in(const Frame& at, std::span<const Vortex> vortices,
+               std::span<const std::uint32_t> order, std::size_t n, tree::Key* keys) {
   constexpr std::size_t ahead = 32;  // places to ask memory for in advance
   constexpr tree::kernel::Axis axis{-0.5, 0.5, 0x1p31};
   std::array<double, portion> x, y;
   const auto local = [&](double value, double centre, double rest) {
-    return std::clamp(((units.position(value) - centre) - rest) / at.side, -0.5, 0.5);
+    return std::clamp(((value - centre) - rest) / at.side, -0.5, 0.5);
   };
-  for (std::size_t j = 0; j < order.size(); ++j) {
-    const std::uint32_t next = order[std::min(j + ahead, order.size() - 1)];
-    __builtin_prefetch(&points.x[next]);
-    __builtin_prefetch(&points.y[next]);
-    x[j] = local(points.x[order[j]], at.x, at.x_rest);
-    y[j] = local(points.y[order[j]], at.y, at.y_rest);
+  for (std::size_t j = 0; j < n; ++j) {
+    __builtin_prefetch(&vortices[order[std::min(j + ahead, order.size() - 1)]]);
+    x[j] = local(vortices[order[j]].x, at.x, at.x_rest);
+    y[j] = local(vortices[order[j]].y, at.y, at.y_rest);
   }
-  static_cast<void>(
-      tree::kernel::codes(x.data(), y.data(), order.size(), axis, axis, ~tree::Key{0}, keys));
+  static_cast<void>(tree::kernel::codes(x.data(), y.data(), n, axis, axis, ~tree::Key{0}, keys));
 }
 
 }  // namespace
@@ -66,19 +64,21 @@ struct DeepTree::Grafts {
   std::vector<tree::Range> runs;
 
   [[nodiscard]] std::uint32_t points() const { return runs.back().last; }
+  /// All threads should sort it together.
+  [[nodiscard]] bool large(std::size_t g) const { return runs[g].size() > tree::worth_sharing; }
   [[nodiscard]] std::size_t holder(std::uint32_t point) const {
     return std::ranges::upper_bound(runs, point, {}, &tree::Range::first) - runs.begin() - 1;
   }
 };
 
-DeepTree::DeepTree(const tree::Quadtree& base, tree::Points points, const Units& units,
+DeepTree::DeepTree(const tree::Quadtree& base, std::span<const Vortex> vortices, const Units& units,
                    std::uint32_t capacity, bool deepen) {
   take(base);
   if (cells_.empty()) return;
   set_frames(0, base.domain(), units);
   const Grafts grafts = deepen ? find_full(base, capacity) : Grafts{};
   if (grafts.cells.empty()) return;
-  const Unwritten<tree::Key> keys = sort(grafts, points, units);
+  const Unwritten<tree::Key> keys = sort(grafts, vortices);
   append(grafts, tree::grow_forest(keys, grafts.runs, {capacity}, tree::pieces_of(keys.size())));
   set_frames(base.depth() + 1, base.domain(), units);
 }
@@ -139,27 +139,35 @@ DeepTree::Grafts DeepTree::find_full(const tree::Quadtree& base, std::uint32_t c
 }
 
 /// Puts the points of each graft in the order of their codes there, which are returned.
-Unwritten<tree::Key> DeepTree::sort(const Grafts& grafts, tree::Points points, const Units& units) {
-  Unwritten<tree::Key> keys = encode(grafts, points, units);
-  const auto sort_one = [&](std::size_t g) {
-    const tree::Range run = grafts.runs[g], own = cells_[grafts.cells[g]].points;
-    tree::radix_sort(std::span(keys).subspan(run.first, run.size()),
-                     std::span(order_).subspan(own.first, own.size()));
+Unwritten<tree::Key> DeepTree::sort(const Grafts& grafts, std::span<const Vortex> vortices) {
+  Unwritten<tree::Key> keys = encode(grafts, vortices);
+  const auto keys_of = [&](std::size_t g) {
+    return std::span(keys).subspan(grafts.runs[g].first, grafts.runs[g].size());
   };
-  const auto large = [&](std::size_t g) { return grafts.runs[g].size() > tree::worth_sharing; };
+  const auto order_of = [&](std::size_t g) {
+    return std::span(order_).subspan(cells_[grafts.cells[g]].points.first, grafts.runs[g].size());
+  };
   for (std::size_t g = 0; g < grafts.cells.size(); ++g) {
-    if (large(g)) sort_one(g);
+    if (grafts.large(g)) tree::radix_sort(keys_of(g), order_of(g));
   }
-#pragma omp parallel for schedule(dynamic, 16) if (grafts.points() > alone)
-  for (std::size_t g = 0; g < grafts.cells.size(); ++g) {
-    if (!large(g)) sort_one(g);
+#pragma omp parallel if (grafts.points() > alone)
+  {
+    tree::RunSort sort_run;
+#pragma omp for schedule(dynamic, 16)
+    for (std::size_t g = 0; g < grafts.cells.size(); ++g) {
+      if (grafts.runs[g].size() <= tree::RunSort::most_whole) {
+        sort_run.whole(keys_of(g), order_of(g));
+      } else if (!grafts.large(g)) {
+        tree::radix_sort(keys_of(g), order_of(g));
+      }
+    }
   }
   return keys;
 }
 
 /// Codes of points in the frames of their grafts.
-Unwritten<tree::Key> DeepTree::encode(const Grafts& grafts, tree::Points points,
-                                      const Units& units) const {
+Unwritten<tree::Key> DeepTree::encode(const Grafts& grafts,
+                                      std::span<const Vortex> vortices) const {
   const std::uint32_t n = grafts.points();
   Unwritten<tree::Key> keys(n);
 #pragma omp parallel for schedule(static) if (n > alone)
@@ -170,8 +178,8 @@ Unwritten<tree::Key> DeepTree::encode(const Grafts& grafts, tree::Points points,
       const std::uint32_t last = std::min(end, grafts.runs[g].last);
       const DeepCell& cell = cells_[grafts.cells[g]];
       const std::uint32_t place = cell.points.first + (first - grafts.runs[g].first);
-      encode_in(frames_[grafts.cells[g]], units, points,
-                std::span(order_).subspan(place, last - first), &keys[first]);
+      encode_in(frames_[grafts.cells[g]], vortices, std::span(order_).subspan(place), last - first,
+                &keys[first]);
       first = last;
     }
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fmm/units.hpp"
+#include "fmm/vortices.hpp"
 #include "tree/grown.hpp"
 #include "tree/memory.hpp"
 #include "tree/quadtree.hpp"
@@ -33,10 +34,10 @@ class DeepTree {
  public:
   DeepTree() = default;
 
-  /// points     those the base was built from
+  /// vortices   those the base was built from, in input order
   /// capacity   of a childless cell; cells of the base's finest level that hold more are split on
   /// deepen     false: the base as it is
-  DeepTree(const tree::Quadtree& base, tree::Points points, const Units& units,
+  DeepTree(const tree::Quadtree& base, std::span<const Vortex> vortices, const Units& units,
            std::uint32_t capacity, bool deepen);
 
   [[nodiscard]] std::span<const DeepCell> cells() const { return cells_; }
@@ -57,10 +58,9 @@ class DeepTree {
   void take(const tree::Quadtree& base);
   void set_frames(int from, const tree::Domain& domain, const Units& units);
   [[nodiscard]] Grafts find_full(const tree::Quadtree& base, std::uint32_t capacity) const;
-  [[nodiscard]] Unwritten<tree::Key> sort(const Grafts& grafts, tree::Points points,
-                                          const Units& units);
-  [[nodiscard]] Unwritten<tree::Key> encode(const Grafts& grafts, tree::Points points,
-                                            const Units& units) const;
+  [[nodiscard]] Unwritten<tree::Key> sort(const Grafts& grafts, std::span<const Vortex> vortices);
+  [[nodiscard]] Unwritten<tree::Key> encode(const Grafts& grafts,
+                                            std::span<const Vortex> vortices) const;
   void append(const Grafts& grafts, const tree::Grown& forest);
 
   Unwritten<DeepCell> cells_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fmm/mutual_cores.hpp"
+#include "fmm/vortices.hpp"
 #include "tree/split_rule.hpp"
 
 namespace vortree::fmm {
@@ -101,9 +102,10 @@ void Full::grow(const Blobs& blobs) {
   domain = tree::enlarge(domain, stretch(domain.side, std::max(even, reach)));
   tree::MortonOrder order = tree::morton_order({blobs.x, blobs.y}, domain, options_.finest_level);
   base_ = build(std::move(order), tree::crowded(options_.capacity), options_.builder);
-  tree_ = DeepTree(base_, {blobs.x, blobs.y}, units_, options_.capacity,
+  const Unwritten<Vortex> vortices = side_by_side(blobs, units_);
+  tree_ = DeepTree(base_, vortices, units_, options_.capacity,
                    options_.finest_level == tree::max_level);
-  leaves_ = Leaves(tree_, blobs, units_);
+  leaves_ = Leaves(tree_, vortices, widest > 0.0);
 }
 
 void Full::list() {

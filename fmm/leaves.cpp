@@ -9,45 +9,17 @@ namespace {
 
 constexpr std::size_t ahead = 48;  // places to ask memory for in advance
 constexpr std::uint32_t crowd = 256;
-constexpr std::size_t many = 20000;  // blobs that threads share
-
-bool any_core(const Blobs& blobs) {
-  for (const double sigma : blobs.sigma) {
-    if (sigma > 0.0) return true;
-  }
-  return false;
-}
-
-/// All of a vortex in one line of the cache: in the order of the tree it is a line from anywhere.
-struct alignas(32) Vortex {
-  double x, y, gamma, core;
-};
-
-/// The blobs in input order, in Units.
-Unwritten<Vortex> side_by_side(const Blobs& blobs, const Units& units, bool cored) {
-  const std::size_t n = blobs.size();
-  Unwritten<Vortex> vortices(n);
-#pragma omp parallel for schedule(static) if (n > many)
-  for (std::size_t i = 0; i < n; ++i) {
-    vortices[i] = {units.position(blobs.x[i]), units.position(blobs.y[i]),
-                   units.circulation(blobs.gamma[i]),
-                   cored ? units.squared_core(blobs.sigma[i]) : 0.0};
-  }
-  return vortices;
-}
 
 }  // namespace
 
-Leaves::Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units) {
+Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored) {
   number(tree);
-  const bool cored = any_core(blobs);
   auto& [x, y, core] = points;
   for (auto* values : {&x, &y, &gamma}) values->resize(places());
   if (cored) core.resize(places());
   const auto cells = tree.cells();
   const auto childless = tree.childless();
   const auto order = tree.order();
-  const Unwritten<Vortex> vortices = side_by_side(blobs, units, cored);
 #pragma omp parallel for schedule(static)
   for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) {
     const tree::Range run = cells[childless[leaf]].points;

@@ -4,10 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "fmm/blobs.hpp"
 #include "fmm/cells.hpp"
 #include "fmm/deep_tree.hpp"
-#include "fmm/units.hpp"
+#include "fmm/vortices.hpp"
 #include "tree/memory.hpp"
 
 namespace vortree::fmm {
@@ -22,7 +21,9 @@ struct Leaves {
   std::vector<std::uint32_t> start, size;
 
   Leaves() = default;
-  Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units);
+  /// vortices   in input order
+  /// cored      false: their cores do not count
+  Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored);
 
   [[nodiscard]] bool cored() const { return !points.core.empty(); }
   [[nodiscard]] std::size_t count() const { return size.size(); }
