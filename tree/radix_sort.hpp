@@ -12,7 +12,7 @@ namespace vortree::tree {
 ///
 /// Keys are parted by the highest bits in which any two differ, at most 10, into buckets that
 /// threads share. A bucket that is not yet right for the cache (RunSort) is parted again: a crowd by
-/// 255 keys picked from it, so that it is spread however narrow it is, others by the next eight bits
+/// keys picked from it, so that it is spread however narrow it is, others by the next eight bits
 /// that differ in them; if it is large, by all threads.
 ///
 /// cost    O(n): keys are moved once through memory and sorted in the cache, those of crowds once or
