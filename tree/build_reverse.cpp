@@ -111,7 +111,7 @@ class Climber {
     return low;
   }
 
-  const std::vector<Key>& keys_;
+  std::span<const Key> keys_;
   const Domain& domain_;
   int finest_;
   const SplitRule& must_split_;

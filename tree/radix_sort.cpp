@@ -233,8 +233,8 @@ class Sorter {
 
 }  // namespace
 
-std::vector<std::uint32_t> radix_sort(std::span<Key> keys) {
-  std::vector<std::uint32_t> index(keys.size());
+Unwritten<std::uint32_t> radix_sort(std::span<Key> keys) {
+  Unwritten<std::uint32_t> index(keys.size());
   const Key differing = keys.empty() ? 0 : differing_bits(keys);
   if (differing == 0) {
     std::iota(index.begin(), index.end(), 0u);

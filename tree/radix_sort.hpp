@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "tree/memory.hpp"
 #include "tree/morton.hpp"
 
 namespace vortree::tree {
@@ -11,14 +11,15 @@ namespace vortree::tree {
 /// Sorts keys ascending; stable. Returns where each was before.
 ///
 /// Keys are parted by the highest bits in which any two differ, at most 10, into buckets that
-/// threads share. A bucket that is not yet right for the cache (RunSort) is parted again: a crowd by
-/// keys picked from it, so that it is spread however narrow it is, others by the next eight bits
+/// threads share. A bucket that is not yet right for the cache (RunSort) is parted again: a crowd
+/// by keys picked from it, so that it is spread however narrow it is, others by the next eight bits
 /// that differ in them; if it is large, by all threads.
 ///
-/// cost    O(n): keys are moved once through memory and sorted in the cache, those of crowds once or
+/// cost    O(n): keys are moved once through memory and sorted in the cache, those of crowds once
+/// or
 ///         twice more; 16 bytes a key of spare memory
 /// threads OpenMP; the result is the same for any number
-[[nodiscard]] std::vector<std::uint32_t> radix_sort(std::span<Key> keys);
+[[nodiscard]] Unwritten<std::uint32_t> radix_sort(std::span<Key> keys);
 
 /// The same, carrying an index along.
 ///
