@@ -12,8 +12,8 @@ namespace vortree {
 /// byte, with large pages 0.05). Blocks lie in large pages, if the system has them, and serve again
 /// whole, in parts, or joined to what was cut from them.
 ///
-/// Kept are, together with what is in use, no more bytes than were once in use at the same time;
-/// unless a block in use holds on to the rest of its region. Safe for threads.
+/// Kept are, together with what is in use, no more bytes than were once in use at the same time and
+/// an eighth; unless a block in use holds on to the rest of its region. Safe for threads.
 namespace kept_memory {
 
 inline constexpr std::size_t least = 1u << 20;  // bytes; smaller blocks are malloc's business

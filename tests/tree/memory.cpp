@@ -53,11 +53,11 @@ TEST_CASE("a large block of memory serves small ones after it, and they it again
   CHECK(kept_memory::idle() == before);
 }
 
-TEST_CASE("no more memory is kept than was in use at a time") {
+TEST_CASE("no more memory is kept than was in use at a time, and an eighth") {
   kept_memory::release();
   const std::size_t before = kept_memory::idle();
   for (std::size_t size = 1; size <= 8; ++size)
     kept_memory::give_back(kept_memory::take(size * least));
-  CHECK(kept_memory::idle() <= before + 8 * least);
+  CHECK(kept_memory::idle() <= before + 9 * least);
   kept_memory::release();
 }
