@@ -12,8 +12,9 @@ constexpr std::uint32_t crowd = 256;
 
 }  // namespace
 
-Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored) {
-  number(tree);
+Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored,
+               std::size_t whole) {
+  number(tree, cored ? lane_count : whole);
   auto& [x, y, core] = points;
   for (auto* values : {&x, &y, &gamma}) values->resize(places());
   if (cored) core.resize(places());
@@ -37,7 +38,7 @@ Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool core
   }
 }
 
-void Leaves::number(const DeepTree& tree) {
+void Leaves::number(const DeepTree& tree, std::size_t whole) {
   const auto cells = tree.cells();
   const auto childless = tree.childless();
   start.resize(childless.size() + 1);
@@ -46,7 +47,7 @@ void Leaves::number(const DeepTree& tree) {
   for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) {
     start[leaf] = end;
     size[leaf] = cells[childless[leaf]].points.size();
-    end += static_cast<std::uint32_t>(padded(size[leaf]));
+    end += static_cast<std::uint32_t>(padded(size[leaf], whole));
   }
   start.back() = end;
 }

@@ -12,7 +12,7 @@
 namespace vortree::fmm {
 
 /// The points of the childless cells in whole vectors: those of a cell begin at a multiple of
-/// lane_count and are filled up with copies of the last one without circulation. In Units.
+/// their lanes and are filled up with copies of the last one without circulation. In Units.
 ///
 /// start   of every childless cell by rank, and the end of all
 struct Leaves {
@@ -23,7 +23,8 @@ struct Leaves {
   Leaves() = default;
   /// vortices   in input order
   /// cored      false: their cores do not count
-  Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored);
+  /// whole      lanes of a vector; those of bare points only, blobs are in vectors of doubles
+  Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored, std::size_t whole);
 
   [[nodiscard]] bool cored() const { return !points.core.empty(); }
   [[nodiscard]] std::size_t count() const { return size.size(); }
@@ -41,7 +42,7 @@ struct Leaves {
   }
 
  private:
-  void number(const DeepTree& tree);
+  void number(const DeepTree& tree, std::size_t whole);
 };
 
 }  // namespace vortree::fmm
