@@ -57,12 +57,14 @@ struct Problem {
 /// wall_vorticity  a value a panel [1/s]
 /// pressure        force on the body during the step, per unit density [m^3/s^2]
 /// friction        the same, at the end of the step
+/// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
 /// retired         all that has left the box, to be handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
   std::vector<double> wall_vorticity;
   Vec2 pressure, friction;
+  double bubble_length = 0;
   Retired retired{};
 };
 
