@@ -33,6 +33,12 @@ class Circle final : public Shape {
     return std::sqrt(dot(d, d)) - radius_;
   }
 
+  bool beyond(Vec2 at, double distance) const override {
+    const Vec2 d = at - centre_;
+    const double r = radius_ + distance;
+    return dot(d, d) > r * r;
+  }
+
  private:
   Vec2 centre_;
   double radius_;

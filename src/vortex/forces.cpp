@@ -25,6 +25,7 @@ std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> s
   for (double& w : omega) w *= of_fresh_sheet(nu, dt);
   for (std::size_t j = 0; j < blobs.size(); ++j) {
     const double s = blobs.sigma[j];
+    if (wall.shape().beyond(blobs.centre(j), folded::reach * s)) continue;
     const WallPoint w = wall.shape().nearest(blobs.centre(j));
     if (!folded::applies(w.distance, s)) continue;
     const auto here = static_cast<std::ptrdiff_t>(w.arc / wall.panel_length());
@@ -53,6 +54,7 @@ Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wal
         force + (nu * of_fresh_sheet(nu, dt) * sheet[i] * wall.panel_length()) * wall.tangent(i);
   for (std::size_t j = 0; j < blobs.size(); ++j) {
     const double s = blobs.sigma[j];
+    if (wall.shape().beyond(blobs.centre(j), folded::reach * s)) continue;
     const WallPoint w = wall.shape().nearest(blobs.centre(j));
     if (!folded::applies(w.distance, s)) continue;
     const double along = 2 * folded::inverse_sqrt_pi * blobs.gamma[j] / s *

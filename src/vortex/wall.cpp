@@ -93,6 +93,7 @@ std::vector<double> Wall::missed_by_samples(const Acting& acting, std::span<cons
   std::vector<double> missed(panels());
   for (std::size_t j = first; j < last; ++j) {
     const Vec2 at = acting.at(j);
+    if (shape_->beyond(at, near_panels * length_)) continue;
     const WallPoint w = shape_->nearest(at);
     if (w.distance > near_panels * length_) continue;
     for_panels_near(w.arc, length_, n, [&](std::ptrdiff_t i) {
@@ -147,13 +148,16 @@ void Wall::add_velocity(std::span<const double> sheet, const Velocity& velocity,
 #pragma omp parallel for schedule(dynamic, 512)
   for (std::ptrdiff_t t = 0; t < count; ++t) {
     const Vec2 at{targets.x[t], targets.y[t]};
-    Vec2 sum{far.u[t], far.v[t]};
+    u.u[t] += far.u[t];
+    u.v[t] += far.v[t];
+    if (shape_->beyond(at, near_panels * length_)) continue;
     const WallPoint w = shape_->nearest(at);
-    if (std::abs(w.distance) < near_panels * length_)
-      for_panels_near(w.arc, length_, n, [&](std::ptrdiff_t i) {
-        const Vec2 exact = panel_velocity(at, edge_[i], edge_[(i + 1) % n]);
-        sum = sum + sheet[i] * (exact - length_ * point_velocity(at, middle_[i]));
-      });
+    if (std::abs(w.distance) >= near_panels * length_) continue;
+    Vec2 sum;
+    for_panels_near(w.arc, length_, n, [&](std::ptrdiff_t i) {
+      const Vec2 exact = panel_velocity(at, edge_[i], edge_[(i + 1) % n]);
+      sum = sum + sheet[i] * (exact - length_ * point_velocity(at, middle_[i]));
+    });
     u.u[t] += sum.x;
     u.v[t] += sum.y;
   }
