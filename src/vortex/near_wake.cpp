@@ -96,8 +96,7 @@ double bubble_length(const WakeLine& line, const Velocities& u) {
   for (std::size_t k = 1; k < line.length.size(); ++k) {
     const double before = along(k - 1), after = along(k);
     if (before < 0 && after >= 0)
-      return line.length[k - 1] +
-             (line.length[k] - line.length[k - 1]) * before / (before - after);
+      return line.length[k - 1] + (line.length[k] - line.length[k - 1]) * before / (before - after);
   }
   return 0;
 }

@@ -72,9 +72,8 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
 Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
   const Acting at = acting(blobs, &p.wall->shape());
   Wake wake;
-  const WakeLine line = dot(p.flow.stream, p.flow.stream) > 0
-                            ? wake_line(*p.wall, p.flow.stream)
-                            : WakeLine{};
+  const WakeLine line =
+      dot(p.flow.stream, p.flow.stream) > 0 ? wake_line(*p.wall, p.flow.stream) : WakeLine{};
   AtRest at_rest = with_sheet(line.points(), blobs, at, p);
   wake.sheet = std::move(at_rest.sheet);
   wake.bubble_length = bubble_length(line, at_rest.u);
@@ -124,10 +123,10 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
     merge_close(parts, p.merging);
     blobs = settled(parts, shape);
   }
-  if (p.box) {
-    wake.retired = p.retired + retire(blobs, *p.box);
-    wake.retired.drift(p.flow.stream, p.dt);
-  }
+  wake.retired = p.retired;
+  if (p.box) wake.retired = wake.retired + retire(blobs, *p.box);
+  if (p.faintest > 0) wake.retired = wake.retired + retire(blobs, p.faintest);
+  wake.retired.drift(p.flow.stream, p.dt);
   return wake;
 }
 

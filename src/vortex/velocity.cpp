@@ -24,8 +24,7 @@ class Planned final : public Velocity {
   }
 
   void upon(const fmm::Blobs& sources, tree::Points targets, Velocities& u) const override {
-    fmm::Plan(sources, elsewhere())
-        .velocity(fmm::Targets{targets.x, targets.y, {}}, u.u, u.v);
+    fmm::Plan(sources, elsewhere()).velocity(fmm::Targets{targets.x, targets.y, {}}, u.u, u.v);
   }
 
  private:
