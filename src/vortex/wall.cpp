@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "vortex/disc_multipole.hpp"
+
 namespace vortree::vortex {
 namespace {
 
@@ -137,19 +139,39 @@ std::vector<double> Wall::sheet(std::span<const double> slip, double total) cons
   return gamma;
 }
 
+void Wall::add_velocity_of_points(std::span<const double> sheet, const Velocity& velocity,
+                                  tree::Points targets, Velocities& u) const {
+  std::vector<double> circulation(sheet.begin(), sheet.end());
+  for (double& g : circulation) g *= length_;
+  const DiscMultipole from_afar({middle_x_, middle_y_}, circulation);
+  std::vector<std::uint32_t> far, near;
+  std::vector<double> x, y;
+  for (std::uint32_t t = 0; t < targets.size(); ++t) {
+    if (from_afar.serves({targets.x[t], targets.y[t]})) {
+      far.push_back(t);
+    } else {
+      near.push_back(t);
+      x.push_back(targets.x[t]);
+      y.push_back(targets.y[t]);
+    }
+  }
+  from_afar.add_velocity(targets, far, u);
+  Velocities upon_near(near.size());
+  velocity.upon({middle_x_, middle_y_, circulation, {}}, {x, y}, upon_near);
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    u.u[near[k]] += upon_near.u[k];
+    u.v[near[k]] += upon_near.v[k];
+  }
+}
+
 void Wall::add_velocity(std::span<const double> sheet, const Velocity& velocity,
                         tree::Points targets, Velocities& u) const {
   const auto n = static_cast<std::ptrdiff_t>(panels());
-  std::vector<double> circulation(sheet.begin(), sheet.end());
-  for (double& g : circulation) g *= length_;
-  Velocities far(targets.size());
-  velocity.upon({middle_x_, middle_y_, circulation, {}}, targets, far);
+  add_velocity_of_points(sheet, velocity, targets, u);
   const auto count = static_cast<std::ptrdiff_t>(targets.size());
 #pragma omp parallel for schedule(dynamic, 512)
   for (std::ptrdiff_t t = 0; t < count; ++t) {
     const Vec2 at{targets.x[t], targets.y[t]};
-    u.u[t] += far.u[t];
-    u.v[t] += far.v[t];
     if (shape_->beyond(at, near_panels * length_)) continue;
     const WallPoint w = shape_->nearest(at);
     if (std::abs(w.distance) >= near_panels * length_) continue;

@@ -57,6 +57,10 @@ class Wall {
   Vec2 first_moment(std::span<const double> sheet) const;
 
  private:
+  /// The same, of panels as point vortices.
+  void add_velocity_of_points(std::span<const double> sheet, const Velocity& velocity,
+                              tree::Points targets, Velocities& u) const;
+
   /// What the two samples a panel miss of the vortices [first, last) that are close to it.
   std::vector<double> missed_by_samples(const Acting& acting, std::span<const double> gamma,
                                         std::size_t first, std::size_t last) const;
