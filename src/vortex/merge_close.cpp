@@ -1,6 +1,9 @@
 #include "vortex/merge_close.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -192,10 +195,15 @@ void merge_remainder(Parts& parts, const Merging& merging) {
   std::vector<char> gone(parts.all.size());
   const auto negative = std::ranges::find_if(parts.all, [](const Part& p) { return p.gamma < 0; });
   const std::size_t split = negative - parts.all.begin(), n = parts.all.size();
-  for (const auto& [first, last] : {std::pair{std::size_t{0}, split}, std::pair{split, n}})
-    if (last > first)
-      Remainder({&parts.all[first], last - first}, parts.at_wall, merging)
-          .merge({&gone[first], last - first});
+  const std::array borders{std::size_t{0}, split, n};
+  // Few threads are put to better use by a sign each than by what is parallel within one.
+  const bool both = split > 0 && split < n && omp_get_max_threads() <= 4;
+#pragma omp parallel for schedule(static, 1) num_threads(2) if (both)
+  for (int sign = 0; sign < 2; ++sign) {
+    const std::size_t first = borders[sign], size = borders[sign + 1] - first;
+    if (size > 0)
+      Remainder({&parts.all[first], size}, parts.at_wall, merging).merge({&gone[first], size});
+  }
   std::size_t left = 0;
   for (std::size_t i = 0; i < n; ++i)
     if (!gone[i]) parts.all[left++] = parts.all[i];
