@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fmm/mutual_cores.hpp"
+#include "fmm/mutual_near.hpp"
 #include "tree/split_rule.hpp"
 
 namespace vortree::fmm {
@@ -103,7 +104,7 @@ void Full::grow(const Blobs& blobs) {
   base_ = build(std::move(order), tree::crowded(options_.capacity), options_.builder);
   tree_ = DeepTree(base_, {blobs.x, blobs.y}, units_, options_.capacity, options_.builder,
                    options_.finest_level == tree::max_level);
-  leaves_ = Leaves(tree_, blobs, units_);
+  leaves_ = Leaves(tree_, blobs, units_, coarse(options_) ? single_count : lane_count);
 }
 
 void Full::list() {
@@ -202,7 +203,9 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
 #pragma omp parallel
   {
     Scratch scratch{
-        {}, {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)}, {}};
+        {tree_, lists_, leaves_, coarse(options_)},
+        {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)},
+        {}};
 #pragma omp for schedule(dynamic)
     for (std::size_t s = 0; s < slabs_.size(); ++s) {
       const tree::Range slab = slabs_[s], places = leaves_.places(slab);
@@ -213,7 +216,7 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
       if (leaves_.cored()) {
         add_cored(slab, scratch, all_u.data(), all_v.data());
       } else {
-        scratch.bare.add(tree_, lists_, leaves_, slab, all_u.data(), all_v.data());
+        scratch.bare.add(slab, all_u.data(), all_v.data());
       }
       add_far(slab, all_u.data(), all_v.data());
       units_.to_velocity(slab_u);
