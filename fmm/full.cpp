@@ -17,7 +17,7 @@ constexpr double even_leaf = 20, even_leaf_fine = 32;
 constexpr double fine_tolerance = 1e-10;
 
 /// Near sums with cores share what a vector of sources costs among the points of a cell.
-constexpr std::uint32_t cored_capacity = 96;
+constexpr std::uint32_t cored_capacity = 64;
 
 /// From here on series in single precision are exact enough.
 constexpr double coarse_tolerance = 1e-6;

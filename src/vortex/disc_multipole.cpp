@@ -10,7 +10,7 @@
 namespace vortree::vortex {
 namespace {
 
-constexpr double tolerance = 1e-8, nearest = 1.12;  // radii
+constexpr double tolerance = 1e-10, nearest = 1.14;  // radii
 constexpr int rows = 3, together = rows * lane_count;
 constexpr double inverse_two_pi = 0.5 * std::numbers::inv_pi;
 
@@ -31,8 +31,8 @@ DiscMultipole::DiscMultipole(tree::Points at, std::span<const double> gamma)
     radius_ = std::max(radius_, std::sqrt(dot(d, d)));
   }
   nearest2_ = nearest * nearest * radius_ * radius_;
-  fmm::p2m({at.x.data(), at.y.data(), gamma.data(), at.size()},
-           {centre_.x, centre_.y, 1 / radius_}, fmm::most_terms, coefficients_.data());
+  fmm::p2m({at.x.data(), at.y.data(), gamma.data(), at.size()}, {centre_.x, centre_.y, 1 / radius_},
+           fmm::most_terms, coefficients_.data());
 }
 
 void DiscMultipole::add_velocity(tree::Points targets, std::span<const std::uint32_t> named,
@@ -40,8 +40,8 @@ void DiscMultipole::add_velocity(tree::Points targets, std::span<const std::uint
   const std::ptrdiff_t groups = (named.size() + together - 1) / together;
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t group = 0; group < groups; ++group) {
-    const auto some = named.subspan(group * together).first(
-        std::min<std::size_t>(together, named.size() - group * together));
+    const auto some = named.subspan(group * together)
+                          .first(std::min<std::size_t>(together, named.size() - group * together));
     std::array<double, together> x, y, u{}, v{};
     double least2 = INFINITY;
     for (std::size_t k = 0; k < together; ++k) {

@@ -15,9 +15,9 @@ namespace vortree::vortex {
 ///   u - i v = 1/(2 pi i) sum_k C_k/(z - c)^(k+1),   C_k = sum_j gamma_j (z_j - c)^k,  k < P.
 ///
 /// P is chosen for every few points by their distance r from c, at most 200, so that points must
-/// not be nearer than r = 1.12 R.
-/// error   1e-8 sum |gamma_j|/(2 pi r)
-/// cost    200 operations a vortex, then P a point: 14 at r = 4 R
+/// not be nearer than r = 1.14 R.
+/// error   1e-10 sum |gamma_j|/(2 pi r)
+/// cost    200 operations a vortex, then P a point: 17 at r = 4 R
 class DiscMultipole {
  public:
   DiscMultipole(tree::Points at, std::span<const double> gamma);

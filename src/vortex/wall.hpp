@@ -7,6 +7,7 @@
 
 #include "vortex/acting.hpp"
 #include "vortex/linear_system.hpp"
+#include "vortex/near_panels.hpp"
 #include "vortex/shape.hpp"
 #include "vortex/velocity.hpp"
 
@@ -69,6 +70,7 @@ class Wall {
   double length_;
   std::vector<Vec2> edge_, middle_, tangent_;
   std::vector<double> sample_x_, sample_y_, middle_x_, middle_y_;
+  std::optional<NearPanels> near_;
   std::optional<LinearSystem> system_;
 };
 
