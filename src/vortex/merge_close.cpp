@@ -197,7 +197,8 @@ void merge_remainder(Parts& parts, const Merging& merging) {
   const std::size_t split = negative - parts.all.begin(), n = parts.all.size();
   const std::array borders{std::size_t{0}, split, n};
   // Few threads are put to better use by a sign each than by what is parallel within one.
-  const bool both = split > 0 && split < n && omp_get_max_threads() <= 4;
+  const int threads = omp_get_max_threads();
+  const bool both = split > 0 && split < n && threads > 1 && threads <= 4;
 #pragma omp parallel for schedule(static, 1) num_threads(2) if (both)
   for (int sign = 0; sign < 2; ++sign) {
     const std::size_t first = borders[sign], size = borders[sign + 1] - first;
