@@ -91,14 +91,14 @@ class Tiling {
 
 /// Parts sorted by tile, stably, and where each tile's begin.
 struct Tiled {
-  std::vector<Part> parts;
+  Unwritten<Part> parts;
   std::vector<std::uint32_t> first;
 };
 
 Tiled tiled(std::span<const Part> parts, const Tiling& tiling) {
   const std::size_t n = parts.size(), tiles = tiling.size(), teams = omp_get_max_threads();
-  Tiled result{std::vector<Part>(n), std::vector<std::uint32_t>(tiles + 1)};
-  std::vector<std::uint32_t> tile(n);
+  Tiled result{Unwritten<Part>(n), std::vector<std::uint32_t>(tiles + 1)};
+  Unwritten<std::uint32_t> tile(n);
   std::vector<std::vector<std::uint32_t>> next(teams, std::vector<std::uint32_t>(tiles));
   const auto begin = [&](std::size_t team) { return n * team / teams; };
 #pragma omp parallel for schedule(static, 1)

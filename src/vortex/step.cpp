@@ -1,9 +1,11 @@
 #include "vortex/step.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "vortex/forces.hpp"
+#include "vortex/in_parts.hpp"
 #include "vortex/near_wake.hpp"
 #include "vortex/particle_exchange.hpp"
 #include "vortex/random_walk.hpp"
@@ -13,9 +15,9 @@ namespace vortree::vortex {
 namespace {
 
 double total(std::span<const double> gamma) {
-  double sum = 0;
-  for (double g : gamma) sum += g;
-  return sum;
+  return sum_in_parts(gamma.size(), [&](std::size_t first, std::size_t last) {
+    return std::reduce(gamma.begin() + first, gamma.begin() + last);
+  });
 }
 
 void add_stream(Velocities& u, Vec2 stream) {
@@ -77,8 +79,7 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
   AtRest at_rest = with_sheet(line.points(), blobs, at, p);
   wake.sheet = std::move(at_rest.sheet);
   wake.bubble_length = bubble_length(line, at_rest.u);
-  wake.moment = invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet) +
-                p.retired.moment;
+  wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.retired.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
   wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "vortex/disc_multipole.hpp"
+#include "vortex/in_parts.hpp"
 #include "vortex/panel_kernel.hpp"
 
 namespace vortree::vortex {
@@ -77,16 +78,10 @@ std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const 
                             Vec2{at_samples.u[2 * i + 1], at_samples.v[2 * i + 1]});
     slip[i] = dot(stream + far, tangent_[i]);
   }
-  // A fixed number of parts, summed in order: the same result for any number of threads.
-  constexpr std::ptrdiff_t parts = 16;
-  std::vector<std::vector<double>> missed(parts);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (std::ptrdiff_t part = 0; part < parts; ++part) {
-    const std::size_t size = gamma.size();
-    missed[part] = missed_by_samples(acting, gamma, size * part / parts, size * (part + 1) / parts);
-  }
-  for (const auto& part : missed)
-    for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += part[i];
+  const auto missed = sum_in_parts(gamma.size(), [&](std::size_t first, std::size_t last) {
+    return missed_by_samples(acting, gamma, first, last);
+  });
+  for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += missed[i];
   return slip;
 }
 

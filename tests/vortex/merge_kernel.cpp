@@ -116,7 +116,7 @@ TEST_CASE("a window leaves no pair that may merge, and conserves what pairs cons
 
 TEST_CASE("a merger beside the wall keeps the acting moment and spreads only across it") {
   std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, false}, {{0, 0.3}, {0, 1}, false}};
-  Part p{0, 1, 1, 0.04, 0}, away{2, 1.4, 3, 0.08, 1}, q = away;
+  Part p{0, 1, 1, 0.04, 0, 1}, away{2, 1.4, 3, 0.08, 1, 1}, q = away;
   merge(p, q, at_wall);
   CHECK(p.gamma == 4);
   CHECK(p.x == Approx(1.5));
