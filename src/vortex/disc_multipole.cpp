@@ -10,7 +10,7 @@
 namespace vortree::vortex {
 namespace {
 
-constexpr double tolerance = 1e-10, nearest = 1.14;  // radii
+constexpr double tolerance = 1e-10;
 constexpr int rows = 3, together = rows * lane_count;
 constexpr double inverse_two_pi = 0.5 * std::numbers::inv_pi;
 
@@ -22,17 +22,20 @@ int terms_for(double radii) {
 
 }  // namespace
 
-DiscMultipole::DiscMultipole(tree::Points at, std::span<const double> gamma)
-    : coefficients_(2 * fmm::most_terms) {
-  const auto n = static_cast<double>(at.size());
-  for (std::size_t i = 0; i < at.size(); ++i) centre_ = centre_ + (1 / n) * Vec2{at.x[i], at.y[i]};
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    const Vec2 d = Vec2{at.x[i], at.y[i]} - centre_;
-    radius_ = std::max(radius_, std::sqrt(dot(d, d)));
+Disc::Disc(tree::Points places) {
+  const auto n = static_cast<double>(places.size());
+  const auto place = [&](std::size_t i) { return Vec2{places.x[i], places.y[i]}; };
+  for (std::size_t i = 0; i < places.size(); ++i) centre += (1 / n) * place(i);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec2 d = place(i) - centre;
+    radius = std::max(radius, std::sqrt(dot(d, d)));
   }
-  nearest2_ = nearest * nearest * radius_ * radius_;
-  fmm::p2m({at.x.data(), at.y.data(), gamma.data(), at.size()}, {centre_.x, centre_.y, 1 / radius_},
-           fmm::most_terms, coefficients_.data());
+}
+
+DiscMultipole::DiscMultipole(const Disc& disc, tree::Points at, std::span<const double> gamma)
+    : disc_(disc), coefficients_(2 * fmm::most_terms) {
+  fmm::p2m({at.x.data(), at.y.data(), gamma.data(), at.size()},
+           {disc.centre.x, disc.centre.y, 1 / disc.radius}, fmm::most_terms, coefficients_.data());
 }
 
 void DiscMultipole::add_velocity(tree::Points targets, std::span<const std::uint32_t> named,
@@ -48,11 +51,11 @@ void DiscMultipole::add_velocity(tree::Points targets, std::span<const std::uint
       const std::uint32_t i = some[std::min(k, some.size() - 1)];
       x[k] = targets.x[i];
       y[k] = targets.y[i];
-      const Vec2 d = Vec2{x[k], y[k]} - centre_;
+      const Vec2 d = Vec2{x[k], y[k]} - disc_.centre;
       least2 = std::min(least2, dot(d, d));
     }
-    const int terms = terms_for(std::sqrt(least2) / radius_);
-    fmm::m2p_rows<rows>({centre_.x, centre_.y, radius_, coefficients_.data(),
+    const int terms = terms_for(std::sqrt(least2) / disc_.radius);
+    fmm::m2p_rows<rows>({disc_.centre.x, disc_.centre.y, disc_.radius, coefficients_.data(),
                          coefficients_.data() + fmm::most_terms, terms},
                         x.data(), y.data(), u.data(), v.data());
     for (std::size_t k = 0; k < some.size(); ++k) {

@@ -97,11 +97,11 @@ void Wall::add_velocity_of_points(std::span<const double> sheet, const Velocity&
                                   tree::Points targets, Velocities& u) const {
   std::vector<double> circulation(sheet.begin(), sheet.end());
   for (double& g : circulation) g *= length_;
-  const DiscMultipole from_afar({middle_x_, middle_y_}, circulation);
+  const Disc disc({middle_x_, middle_y_});
   std::vector<std::uint32_t> far, near;
   std::vector<double> x, y;
   for (std::uint32_t t = 0; t < targets.size(); ++t) {
-    if (from_afar.serves({targets.x[t], targets.y[t]})) {
+    if (disc.serves({targets.x[t], targets.y[t]})) {
       far.push_back(t);
     } else {
       near.push_back(t);
@@ -109,7 +109,8 @@ void Wall::add_velocity_of_points(std::span<const double> sheet, const Velocity&
       y.push_back(targets.y[t]);
     }
   }
-  from_afar.add_velocity(targets, far, u);
+  if (!far.empty())
+    DiscMultipole(disc, {middle_x_, middle_y_}, circulation).add_velocity(targets, far, u);
   Velocities upon_near(near.size());
   velocity.upon({middle_x_, middle_y_, circulation, {}}, {x, y}, upon_near);
   for (std::size_t k = 0; k < near.size(); ++k) {
