@@ -131,12 +131,16 @@ void Full::list() {
 }
 
 double Full::near_pairs() const {
-  double pairs = 0.0;
-  std::vector<tree::Range> runs;
-  for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
-    near_runs(leaf, runs);
-    for (const tree::Range run : runs)
-      pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
+  double pairs = 0.0;  // whole numbers: the same in any order
+#pragma omp parallel reduction(+ : pairs)
+  {
+    std::vector<tree::Range> runs;
+#pragma omp for schedule(static)
+    for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) {
+      near_runs(static_cast<std::uint32_t>(leaf), runs);
+      for (const tree::Range run : runs)
+        pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
+    }
   }
   return pairs;
 }

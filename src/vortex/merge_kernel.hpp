@@ -150,6 +150,37 @@ class Seekers {
   std::size_t size_ = 0;
 };
 
+/// The partner of part `own` among the candidates in runs of columns, a vector of them at a time;
+/// the same as Seekers choose, but for candidates beyond a run's end, which count, too. Columns
+/// must go on for V::size() more places, whose x is `never`.
+template <class V>
+class LoneSeeker {
+ public:
+  LoneSeeker(const auto& columns, std::uint32_t own)
+      : mine_(columns.template lone<V>(own)), own_(own) {}
+
+  void consider(const auto& columns, std::uint32_t first, std::uint32_t last,
+                const Limits& limits) {
+    for (; first < last; first += V::size()) {
+      V e = error(mine_, columns.template lanes<V>(first), limits);
+      if (own_ - first < V::size()) e[own_ - first] = never;
+      if (any_of(e < V(least_.error))) take(e, first);
+    }
+  }
+
+  Choice choice() const { return least_; }
+
+ private:
+  void take(const V& e, std::uint32_t first) {
+    for (std::uint32_t k = 0; k < V::size(); ++k)
+      if (e[k] < least_.error) least_ = {first + k, e[k]};
+  }
+
+  Traits<V> mine_;
+  std::uint32_t own_;
+  Choice least_;
+};
+
 /// Like signed parts that merge among each other, at most so many at once.
 class Window {
  public:

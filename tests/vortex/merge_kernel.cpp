@@ -89,6 +89,31 @@ TEST_CASE("those who seek together find the partners that a plain search in doub
   CHECK(found > 50);
 }
 
+TEST_CASE("one who seeks alone finds what one who seeks with others finds") {
+  const Blobs b = cloud(200);
+  Table all = table(b);
+  all.resize(b.size() + Lanes::size());
+  std::fill(all.x.begin() + b.size(), all.x.end(), never);
+  int found = 0;
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    Seekers<Lone> plain;
+    plain.add(all, i, i);
+    plain.choose(all, [&](auto consider) {
+      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j, limits);
+    });
+    LoneSeeker<Lanes> alone(all, i);
+    for (const auto& [first, last] : {std::pair{0u, 3u}, {3u, 90u}, {90u, 200u}})
+      alone.consider(all, first, last, limits);
+    const Choice expected = plain.choice(0), choice = alone.choice();
+    REQUIRE((choice.partner == none) == (expected.partner == none));
+    if (choice.partner == none) continue;
+    ++found;
+    CHECK(choice.error == Approx(expected.error).epsilon(1e-5));
+    CHECK(plain_error(b, i, choice.partner) == Approx(least_error(b, i)).epsilon(1e-4));
+  }
+  CHECK(found > 50);
+}
+
 TEST_CASE("a window leaves no pair that may merge, and conserves what pairs conserve") {
   Window window;
   const Blobs before = cloud(640);
