@@ -19,9 +19,6 @@ constexpr double fine_tolerance = 1e-10;
 /// Near sums with cores share what a vector of sources costs among the points of a cell.
 constexpr std::uint32_t cored_capacity = 64;
 
-/// From here on series in single precision are exact enough.
-constexpr double coarse_tolerance = 1e-6;
-
 /// Cells of so few points meet cells apart from them point by point rather than by P2L and M2P.
 constexpr std::uint32_t few = 12;
 
@@ -39,10 +36,6 @@ Options resolve(Options options, const Blobs& blobs) {
   }
   options.tolerance = std::max(options.tolerance, least_tolerance);
   return options;
-}
-
-bool coarse(const Options& options) {
-  return options.order == 0 && options.tolerance >= coarse_tolerance;
 }
 
 LatticeOrder choose_order(const Options& options) {
@@ -238,7 +231,7 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
 }
 
 Work Full::work() const {
-  Work work;
+  Work work{.bare_in_floats = coarse(options_), .cored_in_floats = coarse(options_)};
   std::vector<tree::Range> runs;
   for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
     near_runs(leaf, runs);

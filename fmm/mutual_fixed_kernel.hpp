@@ -16,16 +16,16 @@ namespace vortree::fmm {
 ///   w = 1/(r^2 + 1), (dx, dy) = x_i - x_j
 ///
 /// Places are whole numbers, so that differences of them are exact; rounded to floats these err by
-/// 2^-24 of themselves, however near the pair. Lengths are 2^-27 of the side of the cell, so that
-/// the 1 beside r^2 is nothing unless r = 0, and a place is wrong by 2^-28 of the side at most: too
-/// much for pairs nearer than 2^-7 sides, which the caller is told of and computes again.
+/// 2^-24 of themselves, however near the pair. Lengths are 2^-28 of the side of the cell, so that
+/// the 1 beside r^2 is nothing unless r = 0, and a place is wrong by 2^-29 of the side at most: too
+/// much for pairs nearer than 2^-8 sides, which the caller is told of and computes again.
 ///
 /// error   2^-22 of a pair's part, unless told
 /// cost    one division of floats and eight other products and sums for two directions
 /// twin    fixed_pair_plain
 
 /// The side of a cell, and the shortest distance that is exact enough.
-inline constexpr double fixed_side = 0x1p27, fixed_near = 0x1p20;
+inline constexpr double fixed_side = 0x1p28, fixed_near = 0x1p20;
 /// Cells up to so many times as wide as the cell itself, if they touch it, have places.
 inline constexpr double fixed_reach = 4.0;
 

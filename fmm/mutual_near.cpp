@@ -5,23 +5,14 @@
 namespace vortree::fmm {
 namespace {
 
-constexpr std::uint32_t in_advance = 4;  // cells to ask memory for
-constexpr std::uint32_t line = 8;        // numbers in a line of the cache
+constexpr std::uint32_t line = 8;  // numbers in a line of the cache
 
-/// `use(first)` for the blocks of a childless cell.
-template <class Use>
-void for_each_block(const Lists& lists, const Leaves& leaves, std::uint32_t cell,
-                    std::uint32_t step, Use use) {
-  const std::uint32_t leaf = lists.leaves(cell).first;
-  for (std::uint32_t j = leaves.start[leaf]; j < leaves.start[leaf + 1]; j += step) use(j);
-}
-
-void prefetch(const MutualPoints& points, std::uint32_t block) {
+void prefetch(const MutualPoints& points, std::uint32_t place) {
   for (const double* column : {points.x, points.y, points.gamma}) {
-    __builtin_prefetch(column + block, 0, 2);
+    __builtin_prefetch(column + place, 0, 2);
   }
-  __builtin_prefetch(points.u + block, 1, 2);
-  __builtin_prefetch(points.v + block, 1, 2);
+  __builtin_prefetch(points.u + place, 1, 2);
+  __builtin_prefetch(points.v + place, 1, 2);
 }
 
 SingleBits fixed(const double* from, double origin, double rest, double scale) {
@@ -50,44 +41,50 @@ Singles side_by_side(const Singles* sums) {
 void MutualNear::add(tree::Range slab, double* u, double* v) {
   const MutualPoints points{leaves_.points.x.data(), leaves_.points.y.data(), leaves_.gamma.data(),
                             u, v};
-  const auto childless = tree_.childless();
-  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
-    if (leaf + in_advance < slab.last) {
-      lists_.for_each_ahead(childless[leaf + in_advance], [&](std::uint32_t cell) {
-        for_each_block(lists_, leaves_, cell, line,
-                       [&](std::uint32_t j) { prefetch(points, j); });
-      });
-    }
-    gather(childless[leaf], slab);
-    meet_exactly(leaf, points);
-    if (coarse_) meet_in_fixed(leaf, points);
+  const auto meeting = [&](std::uint32_t leaf) -> Meeting& {
+    return meetings_[leaf % meetings_.size()];
+  };
+  for (std::uint32_t next = slab.first; next < slab.last + in_advance; ++next) {
+    if (next < slab.last) arrange(next, slab, points, meeting(next));
+    if (next < slab.first + in_advance) continue;
+    const std::uint32_t leaf = next - in_advance;
+    meet_exactly(leaf, meeting(leaf).exact, points);
+    if (coarse_) meet_in_fixed(leaf, meeting(leaf).fixed, points);
   }
 }
 
-/// All that the cell meets, but itself.
-void MutualNear::gather(std::uint32_t own, tree::Range slab) {
-  exact_.clear(), fixed_.clear();
+/// Lists what the cell will meet, and asks for its memory.
+void MutualNear::arrange(std::uint32_t leaf, tree::Range slab, const MutualPoints& points,
+                         Meeting& meeting) {
+  for (Blocks* blocks : {&meeting.exact, &meeting.fixed}) {
+    blocks->inside.clear(), blocks->outside.clear();
+  }
+  const std::uint32_t own = tree_.childless()[leaf];
   const double widest = fixed_reach * tree_.frame(own).side;
-  const auto within = [&](std::uint32_t cell) {
-    const std::uint32_t leaf = lists_.leaves(cell).first;
-    return leaf >= slab.first && leaf < slab.last;
-  };
-  const auto add = [&](std::uint32_t cell, bool inside) {
+  const auto within = [&](std::uint32_t other) { return other >= slab.first && other < slab.last; };
+  const auto add = [&](std::uint32_t cell, std::uint32_t other, bool inside) {
     const bool fits = coarse_ && tree_.frame(cell).side <= widest;
-    Blocks& blocks = fits ? fixed_ : exact_;
+    Blocks& blocks = fits ? meeting.fixed : meeting.exact;
     auto& places = inside ? blocks.inside : blocks.outside;
-    for_each_block(lists_, leaves_, cell, fits ? single_count : lane_count,
-                   [&](std::uint32_t j) { places.push_back(j); });
+    const std::uint32_t first = leaves_.start[other], last = leaves_.start[other + 1];
+    const std::uint32_t step = fits ? single_count : lane_count;
+    for (std::uint32_t j = first; j < last; j += step) places.push_back(j);
+    for (std::uint32_t j = first; j < last; j += line) prefetch(points, j);
   };
-  lists_.for_each_ahead(own, [&](std::uint32_t cell) { add(cell, within(cell)); });
+  lists_.for_each_ahead(own, [&](std::uint32_t cell) {
+    const std::uint32_t other = lists_.leaves(cell).first;
+    add(cell, other, within(other));
+  });
   lists_.for_each_behind(own, [&](std::uint32_t cell) {
-    if (!within(cell)) add(cell, false);
+    const std::uint32_t other = lists_.leaves(cell).first;
+    if (!within(other)) add(cell, other, false);
   });
 }
 
-void MutualNear::meet_exactly(std::uint32_t leaf, const MutualPoints& points) {
+void MutualNear::meet_exactly(std::uint32_t leaf, const Blocks& others,
+                              const MutualPoints& points) {
   const bool itself = !coarse_ && !leaves_.in_one_place(leaf);
-  if (!itself && exact_.inside.empty() && exact_.outside.empty()) return;
+  if (!itself && others.inside.empty() && others.outside.empty()) return;
   const std::size_t room = padded(leaves_.size[leaf]);
   if (u_.size() < room) u_.resize(room), v_.resize(room);
   const MutualCell cell{leaves_.start[leaf], room, u_.data(), v_.data()};
@@ -97,8 +94,8 @@ void MutualNear::meet_exactly(std::uint32_t leaf, const MutualPoints& points) {
     std::fill_n(cell.u, room, Lanes{});
     std::fill_n(cell.v, room, Lanes{});
   }
-  meet_all<true>(points, cell, exact_.inside);
-  meet_all<false>(points, cell, exact_.outside);
+  meet_all<true>(points, cell, others.inside);
+  meet_all<false>(points, cell, others.outside);
   close(points, cell);
 }
 
@@ -125,7 +122,8 @@ void MutualNear::take(std::uint32_t leaf) {
   std::fill(room_.v.begin() + size, room_.v.begin() + whole, Singles{});
 }
 
-void MutualNear::meet_in_fixed(std::uint32_t leaf, const MutualPoints& points) {
+void MutualNear::meet_in_fixed(std::uint32_t leaf, const Blocks& others,
+                               const MutualPoints& points) {
   take(leaf);
   const std::uint32_t first = leaves_.start[leaf], size = leaves_.size[leaf];
   const FixedCell cell{room_.x.data(), room_.y.data(), room_.gamma.data(),
@@ -138,8 +136,8 @@ void MutualNear::meet_in_fixed(std::uint32_t leaf, const MutualPoints& points) {
       mend<false>(leaf, j, points);
     }
   }
-  for (const std::uint32_t block : fixed_.inside) meet_block<true>(leaf, block, points);
-  for (const std::uint32_t block : fixed_.outside) meet_block<false>(leaf, block, points);
+  for (const std::uint32_t block : others.inside) meet_block<true>(leaf, block, points);
+  for (const std::uint32_t block : others.outside) meet_block<false>(leaf, block, points);
   for (std::uint32_t i = 0; i < size; i += single_count) {
     add_scaled(points.u + first + i, side_by_side(&room_.u[i]), room_.scale);
     add_scaled(points.v + first + i, side_by_side(&room_.v[i]), room_.scale);

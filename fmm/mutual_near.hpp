@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,10 +25,13 @@ class MutualNear {
   void add(tree::Range slab, double* u, double* v);
 
  private:
-  /// The first places of blocks that a cell meets, of as many as a vector holds.
+  /// The first places of blocks of other cells, of as many as a vector holds.
   struct Blocks {
     std::vector<std::uint32_t> inside, outside;  // of the slab
-    void clear() { inside.clear(), outside.clear(); }
+  };
+  /// All that a cell meets but itself: in doubles, and in fixed point.
+  struct Meeting {
+    Blocks exact, fixed;
   };
   /// The points of a cell as the kernel for fixed point wants them; x = (position - x0) * scale.
   struct Fixed {
@@ -37,9 +41,11 @@ class MutualNear {
     Unwritten<Singles> u, v;
   };
 
-  void gather(std::uint32_t own, tree::Range slab);
-  void meet_exactly(std::uint32_t leaf, const MutualPoints& points);
-  void meet_in_fixed(std::uint32_t leaf, const MutualPoints& points);
+  static constexpr std::uint32_t in_advance = 4;  // cells to ask memory for
+
+  void arrange(std::uint32_t leaf, tree::Range slab, const MutualPoints& points, Meeting& meeting);
+  void meet_exactly(std::uint32_t leaf, const Blocks& others, const MutualPoints& points);
+  void meet_in_fixed(std::uint32_t leaf, const Blocks& others, const MutualPoints& points);
   void take(std::uint32_t leaf);
   template <bool both>
   void meet_block(std::uint32_t leaf, std::uint32_t block, const MutualPoints& points);
@@ -51,7 +57,7 @@ class MutualNear {
   const Leaves& leaves_;
   bool coarse_;
 
-  Blocks exact_, fixed_;
+  std::array<Meeting, in_advance + 1> meetings_;
   Unwritten<Lanes> u_, v_;
   Fixed room_;
 };
