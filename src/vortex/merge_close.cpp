@@ -110,9 +110,9 @@ std::size_t Remainder::seek_together(std::span<const Number> seeking) {
     low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach)};
     high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach)};
   }
-  seekers.choose(candidates_, [&](auto consider) {
+  seekers.choose(candidates_, limits_, [&](auto consider) {
     bins_.runs_in(low, high, [&](Number from, Number to) {
-      for (Number slot = from; slot < to; ++slot) consider(slot, limits_);
+      for (Number slot = from; slot < to; ++slot) consider(slot);
     });
   });
   for (std::size_t k = 0; k < seekers.size(); ++k) {

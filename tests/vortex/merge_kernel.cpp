@@ -73,8 +73,8 @@ TEST_CASE("those who seek together find the partners that a plain search in doub
     Seekers<Lanes> seekers;
     for (std::uint32_t i = first; i < std::min(b.size(), first + std::size_t{11}); ++i)
       if (seekers.size() < Lanes::size()) seekers.add(all, i, i);
-    seekers.choose(all, [&](auto consider) {
-      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j, limits);
+    seekers.choose(all, limits, [&](auto consider) {
+      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j);
     });
     for (std::uint32_t k = 0; k < seekers.size(); ++k) {
       const Choice choice = seekers.choice(k);
@@ -98,8 +98,8 @@ TEST_CASE("one who seeks alone finds what one who seeks with others finds") {
   for (std::uint32_t i = 0; i < b.size(); ++i) {
     Seekers<Lone> plain;
     plain.add(all, i, i);
-    plain.choose(all, [&](auto consider) {
-      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j, limits);
+    plain.choose(all, limits, [&](auto consider) {
+      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j);
     });
     LoneSeeker<Lanes> alone(all, i);
     for (const auto& [first, last] : {std::pair{0u, 3u}, {3u, 90u}, {90u, 200u}})
