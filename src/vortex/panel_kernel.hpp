@@ -17,10 +17,10 @@ inline double angle(Vec2 at, Vec2 a, Vec2 b) {
   return std::atan2(p.x * q.y - p.y * q.x, dot(p, q));
 }
 
-/// Velocity of a bare vortex of circulation 1 at `source`.
+/// Velocity of a bare vortex of circulation 1 at `source`; none at its own place.
 inline Vec2 point_velocity(Vec2 at, Vec2 source) {
   const Vec2 d = at - source;
-  const double w = inverse_two_pi / dot(d, d);
+  const double r2 = dot(d, d), w = r2 > 0 ? inverse_two_pi / r2 : 0;
   return {-w * d.y, w * d.x};
 }
 
@@ -53,7 +53,7 @@ inline Lanes angles(Vec2 at, Vectors a, Vectors b) {
 /// twin  point_velocity
 inline Vectors point_velocities(Vec2 at, Vectors source) {
   const Vectors d = at - source;
-  const Lanes w = inverse_two_pi / dot(d, d);
+  const Lanes r2 = dot(d, d), w = r2 > 0.0 ? inverse_two_pi / r2 : Lanes{};
   return {-w * d.y, w * d.x};
 }
 

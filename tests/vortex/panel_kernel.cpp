@@ -27,6 +27,13 @@ TEST_CASE("the angle of a vector is that of atan2, in every direction and of eve
     CHECK(vortex::angle_of(fill(y), fill(x))[0] == Approx(std::atan2(y, x)).epsilon(1e-15));
 }
 
+TEST_CASE("a vortex does not move its own place") {
+  const Vec2 at{0.3, 0.4};
+  CHECK((panel::point_velocity(at, at).x == 0 && panel::point_velocity(at, at).y == 0));
+  const panel::Vectors u = panel::point_velocities(at, {fill(0.3), fill(0.4)});
+  CHECK((u.x[0] == 0 && u.y[0] == 0));
+}
+
 TEST_CASE("a panel's angle and velocity are the same in vectors and alone") {
   bench::Uniform uniform(19);
   const auto place = [&] { return Vec2{uniform() - 0.5, uniform() - 0.5}; };
