@@ -18,7 +18,7 @@ constexpr double even_leaf = 20, even_leaf_fine = 32;
 constexpr double fine_tolerance = 1e-10;
 
 /// Near sums with cores share what a vector of sources costs among the points of a cell.
-constexpr std::uint32_t cored_capacity = 96;
+constexpr std::uint32_t cored_capacity = 64;
 
 /// Cells of so few points meet cells apart from them point by point rather than by P2L and M2P.
 constexpr std::uint32_t few = 12;
@@ -126,12 +126,16 @@ void Full::list() {
 }
 
 double Full::near_pairs() const {
-  double pairs = 0.0;
-  std::vector<tree::Range> runs;
-  for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
-    near_runs(leaf, runs);
-    for (const tree::Range run : runs)
-      pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
+  double pairs = 0.0;  // whole numbers: the same in any order
+#pragma omp parallel reduction(+ : pairs)
+  {
+    std::vector<tree::Range> runs;
+#pragma omp for schedule(static)
+    for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) {
+      near_runs(static_cast<std::uint32_t>(leaf), runs);
+      for (const tree::Range run : runs)
+        pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
+    }
   }
   return pairs;
 }

@@ -7,7 +7,8 @@
 namespace vortree::fmm {
 namespace {
 
-constexpr double widest_frame2 = 256.0;  // squared extent over the least S, for single precision
+// Squared extent over the least S, for single precision; where no core shows.
+constexpr double widest_frame2 = 256.0, widest_bare_frame2 = 4096.0;
 constexpr double widest_core = 1e12;     // largest over least S, likewise
 
 /// `use(weight)` with what sums pairs with cores.
@@ -89,6 +90,8 @@ void MutualCores::take(std::uint32_t leaf) {
   least_ = -largest(-least), widest_ = largest(widest);
   const double half = std::max(half_x_, half_y_);
   fits_ = least_ > 0.0 && half * half <= widest_frame2 * least_ && widest_ <= widest_core * least_;
+  fits_bare_ =
+      least_ > 0.0 && half * half <= widest_bare_frame2 * least_ && widest_ <= widest_core * least_;
   fill_room(room_);
   if (!coarse_) return;
   single_.x0 = x_, single_.y0 = y_;
@@ -129,7 +132,7 @@ MutualCores::Look MutualCores::look(std::uint32_t first, std::uint32_t count, bo
   const double part = cores_ == Cores::mean ? 0.5 * reach2_ : reach2_;
   const double of_cell = cores_ == Cores::mean ? part * widest_ : 0.0;
   const Lanes at_least = fill(cores_ == Cores::source && both ? part * widest_ : 0.0);
-  LaneSet shown = 0, unfit = 0;
+  LaneSet shown = 0, unfit = 0, unfit_bare = 0;
   for (std::uint32_t j = first; j < first + count; j += lane_count) {
     const Lanes from_x = magnitude(load(&leaves_.points.x[j]) - x_);
     const Lanes from_y = magnitude(load(&leaves_.points.y[j]) - y_);
@@ -137,9 +140,12 @@ MutualCores::Look MutualCores::look(std::uint32_t first, std::uint32_t count, bo
     const Lanes dx = larger(from_x - half_x_, Lanes{}), dy = larger(from_y - half_y_, Lanes{});
     shown |= where(dx * dx + dy * dy < larger(part * core + of_cell, at_least));
     const Lanes extent = larger(from_x, from_y), least = smaller(core, fill(least_));
-    unfit |= where(extent * extent > widest_frame2 * least) | where(core > widest_core * least);
+    const LaneSet uneven = where(core > widest_core * least);
+    unfit |= where(extent * extent > widest_frame2 * least) | uneven;
+    unfit_bare |= where(extent * extent > widest_bare_frame2 * least) | uneven;
   }
-  return {shown != 0, coarse_ && fits_ && unfit == 0};
+  const bool fit = shown != 0 ? fits_ && unfit == 0 : fits_bare_ && unfit_bare == 0;
+  return {shown != 0, coarse_ && fit};
 }
 
 template <bool both>

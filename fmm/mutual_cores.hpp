@@ -18,7 +18,9 @@ namespace vortree::fmm {
 /// single precision: coordinates are taken from the middle of the cell, in lengths of its smallest
 /// core. An error of 2^-24 of the extent there moves a vortex of core S by that much of its largest
 /// velocity over sqrt(S), so cores must be wide, extent^2 <= 256 S, for an error of 2^-24 times a
-/// few, relative to the sum of |gamma_j| / sqrt(S_j).
+/// few, relative to the sum of |gamma_j| / sqrt(S_j). Where no core shows, at distances r of several
+/// sqrt(S), the same error of place changes a velocity by extent/r of 2^-24 only: there extents may
+/// be four times as large.
 class MutualCores {
  public:
   /// reach2   a core S shows up to a gap of sqrt(reach2 S)
@@ -66,7 +68,7 @@ class MutualCores {
 
   std::uint32_t first_ = 0, size_ = 0;  // places of the cell
   double x_ = 0, y_ = 0, half_x_ = 0, half_y_ = 0, least_ = 0, widest_ = 0;
-  bool fits_ = false;  // the cell in single precision
+  bool fits_ = false, fits_bare_ = false;  // the cell in single precision; where no core shows
   Room<double> room_;
   Room<float> single_;
 };

@@ -75,7 +75,7 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
   record.friction_x = wake.friction.x;
   record.friction_y = wake.friction.y;
   if (dot(p.flow.stream, p.flow.stream) > 0) {
-    record.bubble_length = vortex::bubble_length(blobs, p) / flow.diameter;
+    record.bubble_length = wake.bubble_length / flow.diameter;
     record.separation_deg = vortex::separation_angle(wake.wall_vorticity, *p.wall, p.flow.stream);
   }
   return record;

@@ -13,6 +13,7 @@ struct ActingCore {
 };
 
 ActingCore acting_core(Vec2 centre, double sigma, const Shape& wall) {
+  if (wall.beyond(centre, folded::reach * sigma)) return {centre, sigma};
   const WallPoint w = wall.nearest(centre);
   if (!folded::applies(w.distance, sigma)) return {centre, sigma};
   const double m = folded::mean_distance(w.distance, sigma, w.curvature);
@@ -41,7 +42,7 @@ Vec2 acting_position(Vec2 centre, double sigma, const Shape* wall) {
 }
 
 Placed place(Vec2 mean, double sigma, const Shape* wall) {
-  if (!wall) return {mean, sigma};
+  if (!wall || wall->beyond(mean, folded::reach * sigma)) return {mean, sigma};
   const WallPoint w = wall->nearest(mean);
   if (!folded::applies(w.distance, sigma)) return {mean, sigma};
   const folded::Core core = folded::place(w.distance, sigma, w.curvature);

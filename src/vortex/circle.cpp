@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "vortex/angle_kernel.hpp"
 #include "vortex/shape.hpp"
 
 namespace vortree::vortex {
@@ -21,8 +22,8 @@ class Circle final : public Shape {
 
   WallPoint nearest(Vec2 at) const override {
     const Vec2 d = at - centre_;
-    const double r = std::hypot(d.x, d.y);
-    double theta = std::atan2(d.y, d.x);
+    const double r = std::sqrt(dot(d, d));
+    double theta = angle_of(fill(d.y), fill(d.x))[0];
     if (theta < 0) theta += 2 * std::numbers::pi;
     const Vec2 normal = r > 0 ? (1 / r) * d : Vec2{1, 0};
     return {theta * radius_, r - radius_, normal, 1 / radius_};
@@ -31,6 +32,12 @@ class Circle final : public Shape {
   double distance(Vec2 at) const override {
     const Vec2 d = at - centre_;
     return std::sqrt(dot(d, d)) - radius_;
+  }
+
+  bool beyond(Vec2 at, double distance) const override {
+    const Vec2 d = at - centre_;
+    const double r = radius_ + distance;
+    return dot(d, d) > r * r;
   }
 
  private:

@@ -27,11 +27,18 @@ inline bool applies(double y, double s) {
   return y < reach * s;
 }
 
+/// A core of width 1 at a distance q from a flat wall: exp(-q^2)/sqrt(pi) + q erf(q), and its first
+/// two derivatives, erf(q) and 2/sqrt(pi) exp(-q^2). |q| <= reach.
+/// error  5e-16: Taylor series about the nearest 64th, from a table
+struct Profile {
+  double mean, erf, slope;
+};
+Profile profile(double q);
+
 inline double mean_distance(double y, double s, double kappa) {
   if (!applies(y, s)) return y;
-  const double q = y / s;
-  return s * inverse_sqrt_pi * std::exp(-q * q) + y * std::erf(q) -
-         kappa * s * s / 8 * std::erfc(q);
+  const Profile at = profile(y / s);
+  return s * at.mean - kappa * s * s / 8 * (1 - at.erf);
 }
 
 inline double variance_across(double y, double s, double m) {

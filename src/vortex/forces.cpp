@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "vortex/folded_core.hpp"
+#include "vortex/in_parts.hpp"
 
 namespace vortree::vortex {
 
@@ -18,25 +19,40 @@ double of_fresh_sheet(double nu, double dt) {
 
 }  // namespace
 
+namespace {
+
+/// Calls use(j, nearest wall point) for those blobs of first .. last whose cores reach the wall.
+void for_each_at_wall(const Blobs& blobs, const Wall& wall, std::size_t first, std::size_t last,
+                      auto use) {
+  for (std::size_t j = first; j < last; ++j) {
+    if (wall.shape().beyond(blobs.centre(j), folded::reach * blobs.sigma[j])) continue;
+    const WallPoint w = wall.shape().nearest(blobs.centre(j));
+    if (folded::applies(w.distance, blobs.sigma[j])) use(j, w);
+  }
+}
+
+}  // namespace
+
 std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> sheet,
                                    const Wall& wall, double nu, double dt) {
   const auto panels = static_cast<std::ptrdiff_t>(wall.panels());
-  std::vector<double> omega(sheet.begin(), sheet.end());
-  for (double& w : omega) w *= of_fresh_sheet(nu, dt);
-  for (std::size_t j = 0; j < blobs.size(); ++j) {
-    const double s = blobs.sigma[j];
-    const WallPoint w = wall.shape().nearest(blobs.centre(j));
-    if (!folded::applies(w.distance, s)) continue;
-    const auto here = static_cast<std::ptrdiff_t>(w.arc / wall.panel_length());
-    const auto reach = std::min(
-        static_cast<std::ptrdiff_t>(folded::reach * s / wall.panel_length()) + 2, (panels - 1) / 2);
-    for (std::ptrdiff_t k = here - reach; k <= here + reach; ++k) {
-      const std::ptrdiff_t i = (k + panels) % panels;
-      const Vec2 d = wall.middle(i) - blobs.centre(j);
-      omega[i] +=
-          2 * std::numbers::inv_pi * blobs.gamma[j] / (s * s) * std::exp(-dot(d, d) / (s * s));
-    }
-  }
+  std::vector<double> omega = sum_in_parts(blobs.size(), [&](std::size_t first, std::size_t last) {
+    std::vector<double> some(panels);
+    for_each_at_wall(blobs, wall, first, last, [&](std::size_t j, const WallPoint& w) {
+      const double s = blobs.sigma[j];
+      const auto here = static_cast<std::ptrdiff_t>(w.arc / wall.panel_length());
+      const auto within = static_cast<std::ptrdiff_t>(folded::reach * s / wall.panel_length()) + 2;
+      const auto reach = std::min(within, (panels - 1) / 2);
+      for (std::ptrdiff_t k = here - reach; k <= here + reach; ++k) {
+        const std::ptrdiff_t i = (k + panels) % panels;
+        const Vec2 d = wall.middle(i) - blobs.centre(j);
+        some[i] +=
+            2 * std::numbers::inv_pi * blobs.gamma[j] / (s * s) * std::exp(-dot(d, d) / (s * s));
+      }
+    });
+    return some;
+  });
+  for (std::size_t i = 0; i < omega.size(); ++i) omega[i] += of_fresh_sheet(nu, dt) * sheet[i];
   return omega;
 }
 
@@ -49,17 +65,18 @@ Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wal
                     double dt) {
   Vec2 force;
   for (std::size_t i = 0; i < sheet.size(); ++i)
-    force =
-        force + (nu * of_fresh_sheet(nu, dt) * sheet[i] * wall.panel_length()) * wall.tangent(i);
-  for (std::size_t j = 0; j < blobs.size(); ++j) {
-    const double s = blobs.sigma[j];
-    const WallPoint w = wall.shape().nearest(blobs.centre(j));
-    if (!folded::applies(w.distance, s)) continue;
-    const double along = 2 * folded::inverse_sqrt_pi * blobs.gamma[j] / s *
-                         std::exp(-w.distance * w.distance / (s * s)) /
-                         std::sqrt(1 + w.curvature * w.distance);
-    force = force + (nu * along) * w.tangent();
-  }
+    force += (nu * of_fresh_sheet(nu, dt) * sheet[i] * wall.panel_length()) * wall.tangent(i);
+  force += sum_in_parts(blobs.size(), [&](std::size_t first, std::size_t last) {
+    Vec2 some;
+    for_each_at_wall(blobs, wall, first, last, [&](std::size_t j, const WallPoint& w) {
+      const double s = blobs.sigma[j];
+      const double along = 2 * folded::inverse_sqrt_pi * blobs.gamma[j] / s *
+                           std::exp(-w.distance * w.distance / (s * s)) /
+                           std::sqrt(1 + w.curvature * w.distance);
+      some += (nu * along) * w.tangent();
+    });
+    return some;
+  });
   return force;
 }
 

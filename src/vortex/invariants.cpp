@@ -2,11 +2,17 @@
 
 #include <cmath>
 
+#include "vortex/in_parts.hpp"
+
 namespace vortree::vortex {
 namespace {
 
 class Sum {
  public:
+  void operator+=(const Sum& other) {
+    *this += other.total_;
+    lost_ += other.lost_;
+  }
   void operator+=(double a) {
     const double next = total_ + a;
     lost_ += std::abs(total_) >= std::abs(a) ? (total_ - next) + a : (a - next) + total_;
@@ -18,19 +24,36 @@ class Sum {
   double total_ = 0, lost_ = 0;
 };
 
+struct Sums {
+  Sum circulation, x, y, second;
+
+  void operator+=(const Sums& other) {
+    circulation += other.circulation;
+    x += other.x;
+    y += other.y;
+    second += other.second;
+  }
+};
+
 }  // namespace
 
+Invariants invariants(const Blobs& blobs, const Acting& at) {
+  const Sums all = sum_in_parts(blobs.size(), [&](std::size_t first, std::size_t last) {
+    Sums sums;
+    for (std::size_t i = first; i < last; ++i) {
+      const double g = blobs.gamma[i], s = blobs.sigma[i];
+      sums.circulation += g;
+      sums.x += g * at.x[i];
+      sums.y += g * at.y[i];
+      sums.second += g * (dot(at.at(i), at.at(i)) + s * s);
+    }
+    return sums;
+  });
+  return {all.circulation.value(), {all.x.value(), all.y.value()}, all.second.value()};
+}
+
 Invariants invariants(const Blobs& blobs, const Shape* wall) {
-  const Acting at = acting(blobs, wall);
-  Sum circulation, x, y, second;
-  for (std::size_t i = 0; i < blobs.size(); ++i) {
-    const double g = blobs.gamma[i], s = blobs.sigma[i];
-    circulation += g;
-    x += g * at.x[i];
-    y += g * at.y[i];
-    second += g * (dot(at.at(i), at.at(i)) + s * s);
-  }
-  return {circulation.value(), {x.value(), y.value()}, second.value()};
+  return invariants(blobs, acting(blobs, wall));
 }
 
 }  // namespace vortree::vortex

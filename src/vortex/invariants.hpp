@@ -21,5 +21,6 @@ struct Invariants {
 };
 
 Invariants invariants(const Blobs& blobs, const Shape* wall);
+Invariants invariants(const Blobs& blobs, const Acting& at);
 
 }  // namespace vortree::vortex

@@ -1,6 +1,9 @@
 #include "vortex/merge_close.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -32,6 +35,7 @@ class Remainder {
   }
   double reach_of(std::size_t slot) const;
   std::size_t seek_together(std::span<const Number> seeking);
+  void seek_alone(Number i);
   void choose(std::span<const Number> seeking);
   std::vector<std::pair<Number, Number>> mutual_pairs();
   void join(Number into, Number other);
@@ -69,7 +73,8 @@ Remainder::Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Mer
       slot_(parts.size()),
       choice_(parts.size()),
       paired_(parts.size()) {
-  candidates_.resize(parts.size());
+  candidates_.resize(parts.size() + merge_kernel::Lanes::size());
+  std::fill(candidates_.x.begin() + parts.size(), candidates_.x.end(), merge_kernel::never);
   const std::ptrdiff_t n = std::ssize(parts);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t k = 0; k < n; ++k) {
@@ -105,9 +110,9 @@ std::size_t Remainder::seek_together(std::span<const Number> seeking) {
     low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach)};
     high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach)};
   }
-  seekers.choose(candidates_, [&](auto consider) {
+  seekers.choose(candidates_, limits_, [&](auto consider) {
     bins_.runs_in(low, high, [&](Number from, Number to) {
-      for (Number slot = from; slot < to; ++slot) consider(slot, limits_);
+      for (Number slot = from; slot < to; ++slot) consider(slot);
     });
   });
   for (std::size_t k = 0; k < seekers.size(); ++k) {
@@ -118,15 +123,30 @@ std::size_t Remainder::seek_together(std::span<const Number> seeking) {
   return seekers.size();
 }
 
+void Remainder::seek_alone(Number i) {
+  const Part& p = parts_[i];
+  const double reach = reach_of(slot_[i]);
+  merge_kernel::LoneSeeker<merge_kernel::Lanes> seeker(candidates_, slot_[i]);
+  bins_.runs_near(p.centre(), reach,
+                  [&](Number from, Number to) { seeker.consider(candidates_, from, to, limits_); });
+  choice_[i] = seeker.choice();
+  if (choice_[i].partner != none) choice_[i].partner = bins_.order()[choice_[i].partner];
+}
+
 /// Those who seek choose among all, then all are offered to those they have chosen.
 void Remainder::choose(std::span<const Number> seeking) {
   constexpr std::size_t chunk = 256;
   const std::size_t chunks = (seeking.size() + chunk - 1) / chunk;
+  // When all seek, neighbors look at the same candidates; few seldom are neighbors.
+  const bool together = seeking.size() == parts_.size();
 #pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t c = 0; c < chunks; ++c)
-    for (auto left = seeking.subspan(c * chunk).first(std::min(chunk, seeking.size() - c * chunk));
-         !left.empty();)
-      left = left.subspan(seek_together(left));
+  for (std::size_t c = 0; c < chunks; ++c) {
+    auto left = seeking.subspan(c * chunk).first(std::min(chunk, seeking.size() - c * chunk));
+    if (!together)
+      for (Number i : left) seek_alone(i);
+    else
+      while (!left.empty()) left = left.subspan(seek_together(left));
+  }
   for (Number i : seeking)
     if (choice_[i].partner != none) choosers_.push_back(i);
   for (std::size_t k = 0; k < choosers_.size(); ++k) {
@@ -192,10 +212,16 @@ void merge_remainder(Parts& parts, const Merging& merging) {
   std::vector<char> gone(parts.all.size());
   const auto negative = std::ranges::find_if(parts.all, [](const Part& p) { return p.gamma < 0; });
   const std::size_t split = negative - parts.all.begin(), n = parts.all.size();
-  for (const auto& [first, last] : {std::pair{std::size_t{0}, split}, std::pair{split, n}})
-    if (last > first)
-      Remainder({&parts.all[first], last - first}, parts.at_wall, merging)
-          .merge({&gone[first], last - first});
+  const std::array borders{std::size_t{0}, split, n};
+  // Few threads are put to better use by a sign each than by what is parallel within one.
+  const int threads = omp_get_max_threads();
+  const bool both = split > 0 && split < n && threads > 1 && threads <= 4;
+#pragma omp parallel for schedule(static, 1) num_threads(2) if (both)
+  for (int sign = 0; sign < 2; ++sign) {
+    const std::size_t first = borders[sign], size = borders[sign + 1] - first;
+    if (size > 0)
+      Remainder({&parts.all[first], size}, parts.at_wall, merging).merge({&gone[first], size});
+  }
   std::size_t left = 0;
   for (std::size_t i = 0; i < n; ++i)
     if (!gone[i]) parts.all[left++] = parts.all[i];
@@ -210,7 +236,7 @@ void merge_close(Parts& parts, const Merging& merging) {
   // sigma_max is what limits mergers: taken at a window's border they would leave more blobs.
   Merging near = merging;
   double shift = 0;
-  for (double cores : {0.9, 1.5}) {
+  for (double cores : {1.2, 1.5}) {
     near.reach = std::min(merging.reach, cores);
     merge_in_windows(parts, near, shift);
     shift += 0.37;  // no border of a quarter of a tile is one again

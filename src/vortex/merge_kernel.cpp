@@ -50,8 +50,8 @@ void Window::choose(const Limits& limits) {
       who[seekers.size()] = i;
       seekers.add(traits_, i, i);
     }
-    seekers.choose(
-        traits_, [&](auto consider) { for_each(alive_, [&](Number i) { consider(i, limits); }); });
+    seekers.choose(traits_, limits,
+                   [&](auto consider) { for_each(alive_, [&](Number i) { consider(i); }); });
     for (std::size_t k = 0; k < seekers.size(); ++k) {
       const Choice choice = seekers.choice(k);
       error_[who[k]] = choice.error;

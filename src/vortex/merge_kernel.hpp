@@ -44,22 +44,33 @@ struct Traits {
   V x, y, gamma, square, inverse_cube, widening2;
 };
 
-/// Error of merging a with b, or `never` where merge_close.hpp does not allow it: for parts of like
-/// sign, whose gamma are both given as positive. Symmetric in a and b.
+/// Error of merging a with b, and where merge_close.hpp allows it but for the tolerance: for parts
+/// of like sign, whose gamma are both given as positive.
 template <class V>
-[[gnu::always_inline]] inline V error(const Traits<V>& a, const Traits<V>& b,
-                                      const Limits& limits) {
+struct Price {
+  V error;
+  typename V::mask_type within;
+};
+template <class V>
+[[gnu::always_inline]] inline Price<V> price(const Traits<V>& a, const Traits<V>& b,
+                                             const Limits& limits) {
   const V dx = a.x - b.x, dy = a.y - b.y;
   const V d2 = dx * dx + dy * dy;
   const V w = a.gamma / (a.gamma + b.gamma);
   const V unlike = a.square - b.square;
   const V cost = w * b.gamma * (d2 + abs(unlike)) * max(a.inverse_cube, b.inverse_cube);
   const V wide = b.square + w * (unlike + (1.0f - w) * d2);
+  return {cost, d2 <= limits.reach2 * min(a.square, b.square) &&
+                    wide <= V(limits.widest2) * min(a.widening2, b.widening2)};
+}
+
+/// The error where it is allowed, `never` elsewhere.
+template <class V>
+[[gnu::always_inline]] inline V error(const Traits<V>& a, const Traits<V>& b,
+                                      const Limits& limits) {
+  const auto [cost, within] = price(a, b, limits);
   V result = never;
-  where(d2 <= limits.reach2 * min(a.square, b.square) &&
-            wide <= V(limits.widest2) * min(a.widening2, b.widening2) &&
-            cost <= V(limits.tolerance),
-        result) = cost;
+  where(within && cost <= V(limits.tolerance), result) = cost;
   return result;
 }
 
@@ -117,18 +128,18 @@ class Seekers {
 
   /// Hands a function that considers one more candidate, given by number, to `all`, which is to
   /// call it for every candidate. Among equals, the first is chosen.
-  void choose(const auto& columns, const auto& all) {
+  void choose(const auto& columns, const Limits& limits, const auto& all) {
     for (std::size_t k = size_; k < most; ++k) {
       mine_.copy(k, mine_, 0);
       numbers_[k] = numbers_[0];
     }
     const Traits<V> seekers = mine_.template lanes<V>(0);
     const V own(numbers_.data(), stdx::element_aligned);
-    V least = never, partner = never;
-    all([&](std::uint32_t number, const Limits& limits) {
-      const V e = error(seekers, columns.template lone<V>(number), limits);
+    V least = std::nextafter(limits.tolerance, never), partner = tag(none);
+    all([&](std::uint32_t number) {
+      const auto [e, within] = price(seekers, columns.template lone<V>(number), limits);
       const V candidate = tag(number);
-      const auto better = e < least && own != candidate;
+      const auto better = within && e < least && own != candidate;
       where(better, least) = e;
       where(better, partner) = candidate;
     });
@@ -137,7 +148,8 @@ class Seekers {
   }
 
   Choice choice(std::size_t k) const {
-    return errors_[k] < never ? Choice{number(partners_[k]), errors_[k]} : Choice{};
+    const std::uint32_t partner = number(partners_[k]);
+    return partner != none ? Choice{partner, errors_[k]} : Choice{};
   }
 
  private:
@@ -148,6 +160,37 @@ class Seekers {
   Columns<std::array<float, most>> mine_;
   std::array<float, most> numbers_, errors_, partners_;
   std::size_t size_ = 0;
+};
+
+/// The partner of part `own` among the candidates in runs of columns, a vector of them at a time;
+/// the same as Seekers choose, but for candidates beyond a run's end, which count, too. Columns
+/// must go on for V::size() more places, whose x is `never`.
+template <class V>
+class LoneSeeker {
+ public:
+  LoneSeeker(const auto& columns, std::uint32_t own)
+      : mine_(columns.template lone<V>(own)), own_(own) {}
+
+  void consider(const auto& columns, std::uint32_t first, std::uint32_t last,
+                const Limits& limits) {
+    for (; first < last; first += V::size()) {
+      V e = error(mine_, columns.template lanes<V>(first), limits);
+      if (own_ - first < V::size()) e[own_ - first] = never;
+      if (any_of(e < V(least_.error))) take(e, first);
+    }
+  }
+
+  Choice choice() const { return least_; }
+
+ private:
+  void take(const V& e, std::uint32_t first) {
+    for (std::uint32_t k = 0; k < V::size(); ++k)
+      if (e[k] < least_.error) least_ = {first + k, e[k]};
+  }
+
+  Traits<V> mine_;
+  std::uint32_t own_;
+  Choice least_;
 };
 
 /// Like signed parts that merge among each other, at most so many at once.

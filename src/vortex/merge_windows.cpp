@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -91,14 +92,14 @@ class Tiling {
 
 /// Parts sorted by tile, stably, and where each tile's begin.
 struct Tiled {
-  std::vector<Part> parts;
+  Unwritten<Part> parts;
   std::vector<std::uint32_t> first;
 };
 
 Tiled tiled(std::span<const Part> parts, const Tiling& tiling) {
   const std::size_t n = parts.size(), tiles = tiling.size(), teams = omp_get_max_threads();
-  Tiled result{std::vector<Part>(n), std::vector<std::uint32_t>(tiles + 1)};
-  std::vector<std::uint32_t> tile(n);
+  Tiled result{Unwritten<Part>(n), std::vector<std::uint32_t>(tiles + 1)};
+  Unwritten<std::uint32_t> tile(n);
   std::vector<std::vector<std::uint32_t>> next(teams, std::vector<std::uint32_t>(tiles));
   const auto begin = [&](std::size_t team) { return n * team / teams; };
 #pragma omp parallel for schedule(static, 1)
@@ -140,7 +141,11 @@ void sort_along_curve(std::span<const Part> parts, const Tiling& tiling, Desk& d
   const std::size_t n = parts.size();
   desk.place.resize(n);
   std::array<std::uint32_t, across * across + 1> next{};
-  for (std::size_t i = 0; i < n; ++i) ++next[1 + (desk.place[i] = tiling.place_in_tile(parts[i]))];
+  std::array<std::uint64_t, across * across / 64> shared{};  // cells of several parts, a bit each
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint8_t c = desk.place[i] = tiling.place_in_tile(parts[i]);
+    if (next[1 + c]++ > 0) shared[c / 64] |= std::uint64_t{1} << c % 64;
+  }
   std::partial_sum(next.begin(), next.end(), next.begin());
   for (std::uint32_t i = 0; i < n; ++i) desk.order[next[desk.place[i]]++] = i;
   const auto less = [&](std::uint32_t a, std::uint32_t b) {
@@ -148,8 +153,11 @@ void sort_along_curve(std::span<const Part> parts, const Tiling& tiling, Desk& d
                                     : std::abs(parts[a].y) < std::abs(parts[b].y);
   };
   // next[c] has become where cell c ends.
-  for (std::uint32_t c = 0, first = 0; c < across * across; first = next[c++])
-    sort_few(std::span(desk.order).subspan(first, next[c] - first), less);
+  for (std::uint32_t word = 0; word < shared.size(); ++word)
+    for (std::uint64_t left = shared[word]; left != 0; left &= left - 1) {
+      const std::uint32_t c = 64 * word + std::countr_zero(left), first = c > 0 ? next[c - 1] : 0;
+      sort_few(std::span(desk.order).subspan(first, next[c] - first), less);
+    }
 }
 
 /// Merges a tile's parts and leaves what is left of them at its beginning.

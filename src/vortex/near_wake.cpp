@@ -5,8 +5,6 @@
 #include <numbers>
 #include <optional>
 
-#include "fmm/direct.hpp"
-
 namespace vortree::vortex {
 namespace {
 
@@ -80,27 +78,25 @@ std::optional<double> separation_on(std::span<const Station> stations) {
 
 }  // namespace
 
-double bubble_length(const Blobs& blobs, const Problem& p) {
-  const Vec2 downstream = unit(p.flow.stream), centre = centre_of(*p.wall);
-  const double out = way_out(*p.wall, centre, downstream);
-  std::vector<double> length, x, y;
+WakeLine wake_line(const Wall& wall, Vec2 stream) {
+  const Vec2 downstream = unit(stream), centre = centre_of(wall);
+  const double out = way_out(wall, centre, downstream);
+  WakeLine line{{}, {}, {}, downstream};
   for (double s = 0.005 * out; s < 40 * out; s *= 1.03) {
     const Vec2 at = centre + (out + s) * downstream;
-    length.push_back(s);
-    x.push_back(at.x);
-    y.push_back(at.y);
+    line.length.push_back(s);
+    line.x.push_back(at.x);
+    line.y.push_back(at.y);
   }
-  const Acting at = acting(blobs, &p.wall->shape());
-  Velocities u(x.size());
-  fmm::velocity_direct({at.x, at.y, blobs.gamma, at.sigma}, {x, y, {}}, fmm::Cores::source, u.u,
-                       u.v);
-  const auto along = [&](std::size_t k) {
-    return dot(p.flow.stream + Vec2{u.u[k], u.v[k]}, downstream);
-  };
-  for (std::size_t k = 1; k < length.size(); ++k) {
+  return line;
+}
+
+double bubble_length(const WakeLine& line, const Velocities& u) {
+  const auto along = [&](std::size_t k) { return dot({u.u[k], u.v[k]}, line.direction); };
+  for (std::size_t k = 1; k < line.length.size(); ++k) {
     const double before = along(k - 1), after = along(k);
     if (before < 0 && after >= 0)
-      return length[k - 1] + (length[k] - length[k - 1]) * before / (before - after);
+      return line.length[k - 1] + (line.length[k] - line.length[k - 1]) * before / (before - after);
   }
   return 0;
 }

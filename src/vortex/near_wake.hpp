@@ -1,17 +1,31 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "vortex/step.hpp"
+#include "vortex/wall.hpp"
 
 namespace vortree::vortex {
 
-/// Length of the closed wake behind a body: from the wall, downstream of the body's centre, to the
-/// place where the velocity along the stream turns from back to forward; 0 while there is none [m].
+/// Where the closed wake behind a body is looked for: points downstream of the body's centre, from
+/// the wall on, 3 % of their distance from it apart.
 ///
-/// Sampled at points 3 % of their distance apart, between them linear.
-/// cost  O(blobs) times some 250 points
-double bubble_length(const Blobs& blobs, const Problem& problem);
+/// length  from the wall [m]; direction of the stream, a unit vector
+struct WakeLine {
+  std::vector<double> length, x, y;
+  Vec2 direction;
+
+  tree::Points points() const { return {x, y}; }
+};
+
+/// stream  must not be 0
+WakeLine wake_line(const Wall& wall, Vec2 stream);
+
+/// Length of the closed wake: from the wall to the place where the velocity along the stream turns
+/// from back to forward, between the points linear; 0 while there is none [m].
+///
+/// u  velocities at the points of the line, stream and all
+double bubble_length(const WakeLine& line, const Velocities& u);
 
 /// Angle of the main separation from the rear of the body, seen from its centre, mean of both
 /// sides; 0 while the flow is attached [degrees].

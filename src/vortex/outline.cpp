@@ -25,6 +25,13 @@ class Outline final : public Shape {
       y_[i] = at.y;
       arc_.push_back(arc_.back() + arc_from(i, parameter(i + 1)));
     }
+    const auto [left, right] = std::ranges::minmax(x_);
+    const auto [bottom, top] = std::ranges::minmax(y_);
+    // Between two places the curve stays within half its length there of one of them.
+    double between = 0;
+    for (int i = 0; i < pieces; ++i) between = std::max(between, (arc_[i + 1] - arc_[i]) / 2);
+    low_ = {left - between, bottom - between};
+    high_ = {right + between, top + between};
   }
 
   double perimeter() const override { return arc_.back(); }
@@ -53,6 +60,10 @@ class Outline final : public Shape {
     const auto [t, c] = foot(at);
     const Vec2 out{c.first.y, -c.first.x}, d = at - c.at;
     return std::copysign(length(d), dot(d, out));
+  }
+
+  bool beyond(Vec2 at, double d) const override {
+    return at.x < low_.x - d || at.x > high_.x + d || at.y < low_.y - d || at.y > high_.y + d;
   }
 
  private:
@@ -104,6 +115,7 @@ class Outline final : public Shape {
   Curve curve_;
   double x_[pieces], y_[pieces];
   std::vector<double> arc_;
+  Vec2 low_, high_;  // a box around the curve
 };
 
 void require_positive(double value, const char* what) {

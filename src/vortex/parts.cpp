@@ -18,7 +18,7 @@ Parts loosened(const Blobs& blobs, const Shape* wall) {
   parts.all.resize(n);
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const double s = blobs.sigma[i];
-    parts.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], s * s, no_wall};
+    parts.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], s * s, no_wall, 1};
     if (!wall || wall->distance(blobs.centre(i)) >= knows_wall * s) continue;
     parts.all[i].at_wall = static_cast<std::uint32_t>(parts.at_wall.size());
     parts.at_wall.push_back(beside(wall->nearest(blobs.centre(i)), s));

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tree/memory.hpp"
 #include "vortex/acting.hpp"
 
 namespace vortree::vortex {
@@ -14,7 +15,7 @@ namespace vortree::vortex {
 struct Part {
   double x, y, gamma, square;
   std::uint32_t at_wall;
-  float widening = 1;
+  float widening;
 
   Vec2 centre() const { return {x, y}; }
 };
@@ -34,7 +35,7 @@ struct AtWall {
 /// The parts of a flow. Splitting and merging conserve sum gamma (centre + offset) exactly, without
 /// an inverse of the folded mean for each child and each merger: one for each blob that is left.
 struct Parts {
-  std::vector<Part> all;
+  Unwritten<Part> all;
   std::vector<AtWall> at_wall;
 };
 

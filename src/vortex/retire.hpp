@@ -34,4 +34,11 @@ struct Retired {
 /// Takes all blobs outside the box away, and says what they were.
 Retired retire(Blobs& blobs, const Box& box);
 
+/// The same for blobs of no more circulation than `faintest`, of either sign [m^2/s].
+///
+/// Where every step splits blobs, their children reach out faster than vorticity does: blobs of
+/// 1e-12 to 1e-120 U D soon outnumber all others, of which sums to a tolerance of 1e-6 feel
+/// nothing.
+Retired retire(Blobs& blobs, double faintest);
+
 }  // namespace vortree::vortex

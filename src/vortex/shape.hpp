@@ -29,6 +29,9 @@ class Shape {
   virtual WallPoint nearest(Vec2 at) const = 0;
   /// nearest(at).distance, to round-off, for those who need no more
   virtual double distance(Vec2 at) const { return nearest(at).distance; }
+  /// True only outside the body and farther than d from the wall; false there, too, if that would
+  /// take more than a few operations to find out. Most blobs of a wake need nothing else.
+  virtual bool beyond(Vec2 /*at*/, double /*d*/) const { return false; }
 };
 
 std::unique_ptr<Shape> circle(Vec2 centre, double radius);

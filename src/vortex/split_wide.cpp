@@ -84,17 +84,20 @@ struct Places {
       : part(blobs.size() + 1), at_wall(blobs.size() + 1), widening(blobs.size(), 1.0f) {
     const auto n = static_cast<std::ptrdiff_t>(blobs.size());
     const double alpha = splitting.alpha;
+    const bool coarsens = wall && !splitting.coarsening.everywhere_alike();
     const double reach_of_split =
         std::max(folded::reach, knows_wall * alpha) + std::sqrt(1 - alpha * alpha);
+    const double farthest = std::max(reach_of_split, knows_wall);
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = blobs.sigma[i];
-      const double distance = wall ? wall->distance(blobs.centre(i)) : 0;
-      widening[i] = splitting.coarsening.widening(distance);
+      const bool near = wall && !wall->beyond(blobs.centre(i), farthest * s);
+      const double distance = near || coarsens ? wall->distance(blobs.centre(i)) : INFINITY;
+      if (coarsens) widening[i] = splitting.coarsening.widening(distance);
       const bool splits = s > widest * widening[i];
       part[i + 1] = splits ? splitting.children : 1;
       const double reach = splits ? reach_of_split : knows_wall;
-      at_wall[i + 1] = wall && distance < reach * s ? part[i + 1] : 0;
+      at_wall[i + 1] = distance < reach * s ? part[i + 1] : 0;
     }
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       part[i + 1] += part[i];

@@ -1,9 +1,12 @@
 #include "vortex/step.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "vortex/forces.hpp"
+#include "vortex/in_parts.hpp"
+#include "vortex/near_wake.hpp"
 #include "vortex/particle_exchange.hpp"
 #include "vortex/random_walk.hpp"
 #include "vortex/spread_cores.hpp"
@@ -12,9 +15,9 @@ namespace vortree::vortex {
 namespace {
 
 double total(std::span<const double> gamma) {
-  double sum = 0;
-  for (double g : gamma) sum += g;
-  return sum;
+  return sum_in_parts(gamma.size(), [&](std::size_t first, std::size_t last) {
+    return std::reduce(gamma.begin() + first, gamma.begin() + last);
+  });
 }
 
 void add_stream(Velocities& u, Vec2 stream) {
@@ -44,12 +47,23 @@ Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
   return u;
 }
 
-/// The sheet that cancels the slip which the blobs leave at the wall.
-std::vector<double> cancelling_sheet(const Blobs& blobs, const Acting& at, const Problem& p) {
+/// A sheet at the wall, and velocities at points of the fluid.
+struct AtRest {
+  std::vector<double> sheet;
+  Velocities u;
+};
+
+/// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
+/// blobs and sheet together.
+AtRest with_sheet(tree::Points points, const Blobs& blobs, const Acting& at, const Problem& p) {
+  AtRest result{{}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
-  p.velocity->upon({at.x, at.y, blobs.gamma, {}}, p.wall->samples(), at_samples);
+  p.velocity->upon_both(as_sources(blobs, at), p.wall->samples(), at_samples, points, result.u);
   const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
-  return p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
+  result.sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
+  add_stream(result.u, p.flow.stream);
+  p.wall->add_velocity(result.sheet, *p.velocity, points, result.u);
+  return result;
 }
 
 void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, double core) {
@@ -60,9 +74,12 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
 Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
   const Acting at = acting(blobs, &p.wall->shape());
   Wake wake;
-  wake.sheet = cancelling_sheet(blobs, at, p);
-  wake.moment = invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet) +
-                p.retired.moment;
+  const WakeLine line =
+      dot(p.flow.stream, p.flow.stream) > 0 ? wake_line(*p.wall, p.flow.stream) : WakeLine{};
+  AtRest at_rest = with_sheet(line.points(), blobs, at, p);
+  wake.sheet = std::move(at_rest.sheet);
+  wake.bubble_length = bubble_length(line, at_rest.u);
+  wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.retired.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
   wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
@@ -107,19 +124,19 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
     merge_close(parts, p.merging);
     blobs = settled(parts, shape);
   }
-  if (p.box) {
-    wake.retired = p.retired + retire(blobs, *p.box);
-    wake.retired.drift(p.flow.stream, p.dt);
-  }
+  wake.retired = p.retired;
+  if (p.box) wake.retired = wake.retired + retire(blobs, *p.box);
+  if (p.faintest > 0) wake.retired = wake.retired + retire(blobs, p.faintest);
+  wake.retired.drift(p.flow.stream, p.dt);
   return wake;
 }
 
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p) {
   const Acting at = acting(blobs, p.wall ? &p.wall->shape() : nullptr);
+  if (p.wall) return with_sheet(points, blobs, at, p).u;
   Velocities u(points.size());
   p.velocity->upon(as_sources(blobs, at), points, u);
   add_stream(u, p.flow.stream);
-  if (p.wall) p.wall->add_velocity(cancelling_sheet(blobs, at, p), *p.velocity, points, u);
   return u;
 }
 

@@ -26,7 +26,8 @@ enum class Diffusion { core_spreading, random_walk, particle_exchange };
 
 /// What a step needs to know, besides the blobs.
 ///
-/// box       blobs that leave it are retired; `retired` all that have left in the steps before
+/// box       blobs that leave it are retired; so are those of no more circulation than `faintest`
+///           [m^2/s], 0: none; `retired` all that have left in the steps before
 /// wall      nullptr: free space
 /// carrying_cores  of a blob's core, that with which it carries others: 1, or sqrt(2), which in the
 ///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
@@ -44,6 +45,7 @@ struct Problem {
   Splitting splitting;
   Merging merging;
   std::optional<Box> box{};
+  double faintest = 0;
   Retired retired{};
   const Wall* wall = nullptr;
   const Velocity* velocity;
@@ -57,12 +59,14 @@ struct Problem {
 /// wall_vorticity  a value a panel [1/s]
 /// pressure        force on the body during the step, per unit density [m^3/s^2]
 /// friction        the same, at the end of the step
+/// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
 /// retired         all that has left the box, to be handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
   std::vector<double> wall_vorticity;
   Vec2 pressure, friction;
+  double bubble_length = 0;
   Retired retired{};
 };
 

@@ -8,6 +8,7 @@ struct Vec2 {
   friend Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
   friend Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
   friend Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
+  Vec2& operator+=(Vec2 a) { return *this = *this + a; }
   friend double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 };
 

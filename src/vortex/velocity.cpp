@@ -16,13 +16,25 @@ class Planned final : public Velocity {
     plan.velocity_bare(bare_targets, upon_targets.u, upon_targets.v);
   }
 
+  void upon_both(const fmm::Blobs& sources, tree::Points bare_targets, Velocities& bare,
+                 tree::Points targets, Velocities& cored) const override {
+    const fmm::Plan plan(sources, elsewhere());
+    plan.velocity_bare(bare_targets, bare.u, bare.v);
+    plan.velocity(fmm::Targets{targets.x, targets.y, {}}, cored.u, cored.v);
+  }
+
   void upon(const fmm::Blobs& sources, tree::Points targets, Velocities& u) const override {
-    fmm::Options options = options_;
-    options.cores = fmm::Cores::source;
-    fmm::Plan(sources, options).velocity(fmm::Targets{targets.x, targets.y, {}}, u.u, u.v);
+    fmm::Plan(sources, elsewhere()).velocity(fmm::Targets{targets.x, targets.y, {}}, u.u, u.v);
   }
 
  private:
+  /// A point has no core of its own that could enter a mean.
+  fmm::Options elsewhere() const {
+    fmm::Options options = options_;
+    options.cores = fmm::Cores::source;
+    return options;
+  }
+
   fmm::Options options_;
 };
 
@@ -35,6 +47,12 @@ class DirectSum final : public Velocity {
     fmm::velocity_direct(blobs, {blobs.x, blobs.y, blobs.sigma}, cores_, upon_blobs.u,
                          upon_blobs.v);
     upon({blobs.x, blobs.y, blobs.gamma, {}}, bare_targets, upon_targets);
+  }
+
+  void upon_both(const fmm::Blobs& sources, tree::Points bare_targets, Velocities& bare,
+                 tree::Points targets, Velocities& cored) const override {
+    upon({sources.x, sources.y, sources.gamma, {}}, bare_targets, bare);
+    upon(sources, targets, cored);
   }
 
   void upon(const fmm::Blobs& sources, tree::Points targets, Velocities& u) const override {

@@ -24,6 +24,10 @@ class Velocity {
   virtual void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets,
                                Velocities& upon_blobs, Velocities& upon_targets) const = 0;
 
+  /// Sources upon some points without their cores, and upon others with them.
+  virtual void upon_both(const fmm::Blobs& sources, tree::Points bare_targets, Velocities& bare,
+                         tree::Points targets, Velocities& cored) const = 0;
+
   /// Sources upon other points.
   virtual void upon(const fmm::Blobs& sources, tree::Points targets, Velocities& u) const = 0;
 };

@@ -7,6 +7,7 @@
 
 #include "vortex/acting.hpp"
 #include "vortex/linear_system.hpp"
+#include "vortex/near_panels.hpp"
 #include "vortex/shape.hpp"
 #include "vortex/velocity.hpp"
 
@@ -57,6 +58,10 @@ class Wall {
   Vec2 first_moment(std::span<const double> sheet) const;
 
  private:
+  /// The same, of panels as point vortices.
+  void add_velocity_of_points(std::span<const double> sheet, const Velocity& velocity,
+                              tree::Points targets, Velocities& u) const;
+
   /// What the two samples a panel miss of the vortices [first, last) that are close to it.
   std::vector<double> missed_by_samples(const Acting& acting, std::span<const double> gamma,
                                         std::size_t first, std::size_t last) const;
@@ -65,6 +70,7 @@ class Wall {
   double length_;
   std::vector<Vec2> edge_, middle_, tangent_;
   std::vector<double> sample_x_, sample_y_, middle_x_, middle_y_;
+  std::optional<NearPanels> near_;
   std::optional<LinearSystem> system_;
 };
 

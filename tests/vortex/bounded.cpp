@@ -28,6 +28,30 @@ TEST_CASE("what leaves a box is accounted for: circulation and impulse stay") {
   CHECK(blobs == inside);
 }
 
+TEST_CASE("what is too faint is accounted for, and all else stays as it is") {
+  Blobs blobs = test::cloud(1000, 0.01, 0.02);
+  for (std::size_t i = 0; i < blobs.size(); i += 3) blobs.gamma[i] *= 1e-9;
+  const Blobs all = blobs;
+  const double faintest = 1e-10;
+  const vortex::Retired gone = vortex::retire(blobs, faintest);
+  vortex::Retired expected;
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (std::abs(all.gamma[i]) <= faintest) {
+      expected = expected + vortex::Retired{all.gamma[i], all.gamma[i] * all.centre(i)};
+      continue;
+    }
+    REQUIRE(left < blobs.size());
+    CHECK(blobs.gamma[left] == all.gamma[i]);
+    CHECK(blobs.x[left++] == all.x[i]);
+  }
+  CHECK(left == blobs.size());
+  CHECK(left < all.size());
+  CHECK(gone.gamma == expected.gamma);
+  CHECK(gone.moment.x == expected.moment.x);
+  CHECK(gone.moment.y == expected.moment.y);
+}
+
 TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
   const vortex::Wall wall(vortex::circle({}, 0.5), 60);
   const auto direct = vortex::velocity_by_direct_sum(fmm::Cores::mean);

@@ -30,6 +30,18 @@ const double cores[] = {0.3, 0.02, 1e-4};
 
 }  // namespace
 
+TEST_CASE("the profile of a folded core is that of exp and erf, to 5e-16") {
+  for (int k = -4000; k <= 4000; ++k) {
+    const double q = 1e-3 * k + 1e-4 * (k % 7), bell = std::exp(-q * q);
+    if (std::abs(q) > folded::reach) continue;
+    const folded::Profile at = folded::profile(q);
+    const double mean = folded::inverse_sqrt_pi * bell + q * std::erf(q);
+    CHECK(std::abs(at.mean - mean) <= 5e-16 * std::max(1.0, mean));
+    CHECK(std::abs(at.erf - std::erf(q)) <= 4e-16);
+    CHECK(std::abs(at.slope - 2 * folded::inverse_sqrt_pi * bell) <= 4e-16);
+  }
+}
+
 TEST_CASE("mean and variance of a folded core at a flat wall are the quadrature's to 1e-10") {
   for (double s : cores) {
     for (double q : distances) {

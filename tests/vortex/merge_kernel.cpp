@@ -73,8 +73,8 @@ TEST_CASE("those who seek together find the partners that a plain search in doub
     Seekers<Lanes> seekers;
     for (std::uint32_t i = first; i < std::min(b.size(), first + std::size_t{11}); ++i)
       if (seekers.size() < Lanes::size()) seekers.add(all, i, i);
-    seekers.choose(all, [&](auto consider) {
-      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j, limits);
+    seekers.choose(all, limits, [&](auto consider) {
+      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j);
     });
     for (std::uint32_t k = 0; k < seekers.size(); ++k) {
       const Choice choice = seekers.choice(k);
@@ -85,6 +85,31 @@ TEST_CASE("those who seek together find the partners that a plain search in doub
       CHECK(choice.error == Approx(least).epsilon(1e-4));
       CHECK(plain_error(b, first + k, choice.partner) == Approx(least).epsilon(1e-4));
     }
+  }
+  CHECK(found > 50);
+}
+
+TEST_CASE("one who seeks alone finds what one who seeks with others finds") {
+  const Blobs b = cloud(200);
+  Table all = table(b);
+  all.resize(b.size() + Lanes::size());
+  std::fill(all.x.begin() + b.size(), all.x.end(), never);
+  int found = 0;
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    Seekers<Lone> plain;
+    plain.add(all, i, i);
+    plain.choose(all, limits, [&](auto consider) {
+      for (std::uint32_t j = 0; j < b.size(); ++j) consider(j);
+    });
+    LoneSeeker<Lanes> alone(all, i);
+    for (const auto& [first, last] : {std::pair{0u, 3u}, {3u, 90u}, {90u, 200u}})
+      alone.consider(all, first, last, limits);
+    const Choice expected = plain.choice(0), choice = alone.choice();
+    REQUIRE((choice.partner == none) == (expected.partner == none));
+    if (choice.partner == none) continue;
+    ++found;
+    CHECK(choice.error == Approx(expected.error).epsilon(1e-5));
+    CHECK(plain_error(b, i, choice.partner) == Approx(least_error(b, i)).epsilon(1e-4));
   }
   CHECK(found > 50);
 }
@@ -116,7 +141,7 @@ TEST_CASE("a window leaves no pair that may merge, and conserves what pairs cons
 
 TEST_CASE("a merger beside the wall keeps the acting moment and spreads only across it") {
   std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, false}, {{0, 0.3}, {0, 1}, false}};
-  Part p{0, 1, 1, 0.04, 0}, away{2, 1.4, 3, 0.08, 1}, q = away;
+  Part p{0, 1, 1, 0.04, 0, 1}, away{2, 1.4, 3, 0.08, 1, 1}, q = away;
   merge(p, q, at_wall);
   CHECK(p.gamma == 4);
   CHECK(p.x == Approx(1.5));

@@ -51,6 +51,23 @@ TEST_CASE("the nearest place of an ellipse is the foot of a normal, and no place
   }
 }
 
+TEST_CASE("what is plainly beyond a distance from a wall is farther than that from it") {
+  const auto circle = vortex::circle({0.1, 0.2}, 0.4);
+  const auto ellipse = vortex::ellipse({0.1, 0.2}, 0.5, 0.1, 0.3);
+  bench::Uniform uniform(13);
+  int told = 0, beyond = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const Vec2 at{4 * (uniform() - 0.5), 4 * (uniform() - 0.5)};
+    const double d = uniform();
+    for (const auto& shape : {circle.get(), ellipse.get()}) {
+      told += shape->beyond(at, d);
+      beyond += shape->distance(at) > d;
+      if (shape->beyond(at, d)) CHECK(shape->distance(at) > d - 1e-14);
+    }
+  }
+  CHECK(told > 0.8 * beyond);
+}
+
 TEST_CASE("the sheet of a stream past an ellipse is that of potential flow") {
   // Slip along the wall of an ellipse in a stream along its long axis, at the parameter t:
   // (a + b) U sin t/sqrt(a^2 sin^2 t + b^2 cos^2 t), backwards on the upper side.
