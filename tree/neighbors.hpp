@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tree/colleagues.hpp"
+#include "tree/own_cells.hpp"
 #include "tree/pair_rule.hpp"
 #include "tree/placed.hpp"
 #include "tree/quadtree.hpp"
@@ -13,15 +14,6 @@
 #include "tree/rows.hpp"
 
 namespace vortree::tree {
-
-/// The tree that QCG asks for: by rule roomy, but no cell of a handful of particles split; in a
-/// domain so much larger than the points that the cells of some level are as wide as the largest
-/// reach. Particles whose reaches are halved from level to level then fill their cells.
-///
-/// cost    O(n) and the sort
-/// throws  std::invalid_argument if sizes differ, or naming the first coordinate that is not finite
-///         or the first reach that is negative or not finite
-[[nodiscard]] Quadtree build_for_reach(Points points, std::span<const double> reach);
 
 /// Neighbors of particles of many sizes: Quadtree Cells Grid.
 ///
@@ -87,26 +79,22 @@ class Neighbors {
     std::uint32_t first, finer, last;
   };
 
-  void place_sorted(const Quadtree& tree, Points points);
-  void find_cells(const Quadtree& tree);
-  void lay_out(std::span<const Cell> cells);
-  void fill(const Quadtree& tree, Points points);
+  void settle(const OwnCells& own);
+  void find_content(std::span<const Cell> cells, const OwnCells& own);
   void find_coarser(std::span<const Cell> cells);
   void make_groups(const Quadtree& tree);
   void name_candidates(const Group& group, Listing listing, std::vector<Range>& others) const;
 
   Placed placed_;
-  Buffer<double> sorted_;               // reaches in the tree's order
   std::vector<Content> content_;        // of each cell
   std::vector<Colleagues> colleagues_;  // of each cell
   std::vector<std::int32_t> coarser_;   // next ancestor with particles of its own nearby; -1: none
-  std::vector<std::uint8_t> rise_;      // of each point in the tree's order: levels above its leaf
   std::vector<Group> groups_;
   RowSearch search_;
 };
 
 /// The same in one call.
-[[nodiscard]] Rows neighbors(const Quadtree& tree, Points points, std::span<const double> reach,
-                             PairRule rule, Listing listing = Listing::both_ways);
+[[nodiscard]] Rows neighbors(Points points, std::span<const double> reach, PairRule rule,
+                             Listing listing = Listing::both_ways);
 
 }  // namespace vortree::tree
