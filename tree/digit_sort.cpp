@@ -1,5 +1,9 @@
 #include "tree/digit_sort.hpp"
 
+#include <omp.h>
+
+#include <algorithm>
+#include <bit>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,8 +14,11 @@ namespace vortree::tree {
 
 namespace {
 
-// More places to write to than lines of the nearest caches make writing slow.
-constexpr int most_digit_bits = 11;
+// More places to write to than lines of the second cache make writing slow; more than numbers,
+// counting.
+int most_bits(std::size_t n) {
+  return std::clamp(static_cast<int>(std::bit_width(n)) - 2, 6, 14);
+}
 
 struct Digit {
   int low, bits;
@@ -23,7 +30,8 @@ struct Digit {
 
 // Each piece counts for itself, so that threads share the work and the order is kept.
 void part(std::span<const std::uint64_t> from, Digit digit, std::span<std::uint64_t> to) {
-  const std::size_t pieces = pieces_of(from.size());
+  const std::size_t threads = static_cast<std::size_t>(omp_get_max_threads());
+  const std::size_t pieces = std::min(pieces_of(from.size()), threads);
   std::vector<std::uint32_t> places(pieces * digit.count(), 0);
   for_each_piece(pieces, [&](std::size_t p) {
     const Range own = piece(from.size(), p, pieces);
@@ -49,7 +57,8 @@ void part(std::span<const std::uint64_t> from, Digit digit, std::span<std::uint6
 
 void digit_sort(Unwritten<std::uint64_t>& numbers, int low, int high) {
   Unwritten<std::uint64_t> spare(numbers.size());
-  for (int digits = (high - low + most_digit_bits - 1) / most_digit_bits; digits > 0; --digits) {
+  const int most = most_bits(numbers.size());
+  for (int digits = (high - low + most - 1) / most; digits > 0; --digits) {
     const int bits = (high - low + digits - 1) / digits;
     part(numbers, {low, bits}, spare);
     std::swap(numbers, spare);

@@ -26,14 +26,16 @@ namespace {
 // nor that of distances puts a neighbor two cells away.
 constexpr double margin = 1 + 0x1p-18;
 
-// So many particles stay in the nearest cache while they are encoded.
+constexpr std::uint32_t portion = 1024;  // particles that stay in the nearest cache
+
+// work(piece, range) for all portions of every piece, one after the other.
 template <class Work>
 void for_each_portion(std::size_t n, const Work& work) {
   const std::size_t pieces = pieces_of(n);
   for_each_piece(pieces, [&](std::size_t p) {
     const Range all = piece(n, p, pieces);
-    for (std::uint32_t first = all.first; first < all.last; first += 1024) {
-      work(Range{first, std::min(all.last, first + 1024)});
+    for (std::uint32_t first = all.first; first < all.last; first += portion) {
+      work(p, Range{first, std::min(all.last, first + portion)});
     }
   });
 }
@@ -115,44 +117,46 @@ struct Located {
   std::uint32_t particle;
 };
 
-OwnCells joined(std::vector<OwnCells>& parts) {
-  OwnCells all = std::move(parts[0]);
-  for (std::size_t p = 1; p < parts.size(); ++p) {
-    all.corner.insert(all.corner.end(), parts[p].corner.begin(), parts[p].corner.end());
-    all.level.insert(all.level.end(), parts[p].level.begin(), parts[p].level.end());
-    all.first.insert(all.first.end(), parts[p].first.begin(), parts[p].first.end());
+// Puts some particles in their places, sorted(j) telling the j-th, and notes those whose address is
+// not that of the one before.
+template <class Sorted>
+void lay_out(const Particles& particles, const Sorted& sorted, Range some, Placed& placed,
+             std::vector<std::uint32_t>& begins) {
+  std::array<std::uint32_t, portion> fresh;
+  std::size_t count = 0;
+  Key last = some.first == 0 ? ~Key{0} : sorted(some.first - 1).address;
+  for (std::uint32_t j = some.first; j < some.last; ++j) {
+    const Located here = sorted(j);
+    const Particle& particle = particles[here.particle];
+    placed.x[j] = particle.x;
+    placed.y[j] = particle.y;
+    placed.reach[j] = particle.reach;
+    placed.id[j] = static_cast<std::int32_t>(here.particle);
+    fresh[count] = j;
+    count += std::exchange(last, here.address) != here.address;
   }
-  return all;
+  begins.insert(begins.end(), fresh.begin(), fresh.begin() + count);
 }
 
-// Puts particles in their places, sorted(j) telling the j-th; each run of equal addresses is a
-// cell.
+// The same for all; each run of equal addresses is a cell.
 template <class Sorted>
 OwnCells lay_out(const Particles& particles, const Frame& frame, const Sorted& sorted,
                  Placed& placed) {
-  const std::size_t n = particles.size(), pieces = pieces_of(n);
+  const std::size_t n = particles.size();
   placed.renew(n);
-  std::vector<OwnCells> parts(pieces);
-  for_each_piece(pieces, [&](std::size_t p) {
-    const Range own = piece(n, p, pieces);
-    Key last = own.first == 0 ? ~Key{0} : sorted(own.first - 1).address;
-    for (std::uint32_t j = own.first; j < own.last; ++j) {
-      const Located here = sorted(j);
-      const Particle& particle = particles[here.particle];
-      placed.x[j] = particle.x;
-      placed.y[j] = particle.y;
-      placed.reach[j] = particle.reach;
-      placed.id[j] = static_cast<std::int32_t>(here.particle);
-      if (std::exchange(last, here.address) != here.address) {
-        parts[p].corner.push_back(frame.addresses.corner(here.address));
-        parts[p].level.push_back(
-            static_cast<std::uint8_t>(frame.addresses.level(here.address)));
-        parts[p].first.push_back(j);
-      }
-    }
+  std::vector<std::vector<std::uint32_t>> begins(pieces_of(n));
+  for_each_portion(n, [&](std::size_t piece, Range some) {
+    lay_out(particles, sorted, some, placed, begins[piece]);
   });
-  OwnCells cells = joined(parts);
-  cells.domain = frame.domain;
+  OwnCells cells{frame.domain, {}, {}, {}};
+  for (const auto& some : begins) cells.first.insert(cells.first.end(), some.begin(), some.end());
+  cells.corner.resize(cells.first.size());
+  cells.level.resize(cells.first.size());
+  for (std::size_t c = 0; c < cells.first.size(); ++c) {
+    const Key address = sorted(cells.first[c]).address;
+    cells.corner[c] = frame.addresses.corner(address);
+    cells.level[c] = static_cast<std::uint8_t>(frame.addresses.level(address));
+  }
   cells.first.push_back(static_cast<std::uint32_t>(n));
   return cells;
 }
@@ -162,7 +166,7 @@ OwnCells sort_numbers(Points points, std::span<const double> reach, const Frame&
                       int particle_bits, Placed& placed) {
   Unwritten<std::uint64_t> numbers(points.size());
   Particles particles(points.size());
-  for_each_portion(points.size(), [&](Range some) {
+  for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
     frame.locate(points, reach, some, &numbers[some.first]);
     for (std::uint32_t i = some.first; i < some.last; ++i) {
       numbers[i] = numbers[i] << particle_bits | i;
@@ -181,7 +185,7 @@ OwnCells sort_keys(Points points, std::span<const double> reach, const Frame& fr
                    std::vector<Key> keys, std::vector<std::uint32_t> order, Placed& placed) {
   radix_sort(keys, order);
   Particles particles(points.size());
-  for_each_portion(points.size(), [&](Range some) { pack(points, reach, some, particles); });
+  for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) { pack(points, reach, some, particles); });
   const auto sorted = [&](std::uint32_t j) { return Located{keys[j], order[j]}; };
   return lay_out(particles, frame, sorted, placed);
 }
@@ -211,7 +215,7 @@ OwnCells sort_into_own_cells(Points points, std::span<const double> reach, Place
     return sort_numbers(points, reach, frame, particle_bits, placed);
   }
   std::vector<Key> keys(n);
-  for_each_portion(n, [&](Range some) { frame.locate(points, reach, some, &keys[some.first]); });
+  for_each_portion(n, [&](std::size_t /*piece*/, Range some) { frame.locate(points, reach, some, &keys[some.first]); });
   return sort_keys(points, reach, frame, std::move(keys), count_up(n), placed);
 }
 
