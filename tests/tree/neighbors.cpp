@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
-#include <mutex>
+#include <numeric>
 
 #include "tree/build_forward.hpp"
 #include "tree/pairs.hpp"
@@ -195,4 +195,18 @@ TEST_CASE("what cannot be searched is refused with numbers") {
   search.place(tree, points, reach);
   tree::Rows rows;
   CHECK_THROWS_WITH(search.list(PairRule::own, Listing::once, rows), Contains("not symmetric"));
+}
+
+TEST_CASE("more than 2^32 pairs are counted") {
+  const std::size_t n = 65537;
+  const std::vector<double> place(n, 0.5), reach(n, 1.0);
+  tree::Neighbors search;
+  search.place({place, place}, reach);
+  std::vector<std::size_t> shown(n);
+  search.visit(PairRule::max, Listing::both_ways,
+               [&](std::int32_t i, std::span<const std::int32_t> row) {
+                 shown[static_cast<std::size_t>(i)] = row.size();
+               });
+  CHECK(std::accumulate(shown.begin(), shown.end(), std::uint64_t{0}) == n * (n - 1));
+  CHECK(n * (n - 1) > std::uint64_t{1} << 32);
 }
