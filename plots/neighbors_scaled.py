@@ -1,5 +1,6 @@
 """QCG costs the same for each particle however many there are, and however many sizes."""
 
+import numpy as np
 from _neighbors import METHODS, Bench, columns, signed
 from _style import Nothing, figure, main, note
 
@@ -26,13 +27,25 @@ def panel(axes, bench, family, words):
     for method, (name, colour, marker) in METHODS.items():
         n, seconds = columns(bench.select(family=family, method=method), "seconds")
         axes.plot(n, 1e9 * seconds / n, color=colour, marker=marker, ms=5, label=name)
+        power(axes, n, seconds, colour, 5)
     for listing, order, style, name in (("both", "sorted", "--", "QCG, sorted input"),
                                         ("once", "sorted", ":", "QCG, sorted, each pair once")):
         n, seconds = columns(bench.select(family=family, method="qcg", listing=listing,
                                           order=order), "seconds")
         axes.plot(n, 1e9 * seconds / n, color=METHODS["qcg"][1], ls=style, label=name)
+        power(axes, n, seconds, METHODS["qcg"][1], -11)
     if family == "scaled":
         note(axes, "some 50 neighbors each", 0.02, 0.985)
+
+
+def power(axes, n, seconds, colour, above):
+    """The exponent of time in n, from ten thousand particles on, at the end of a line."""
+    large = n > 9900
+    if large.sum() < 3:
+        return
+    exponent = np.polyfit(np.log(n[large]), np.log(seconds[large]), 1)[0]
+    axes.annotate(f"$N^{{{exponent:.2f}}}$", (n[-1], 1e9 * seconds[-1] / n[-1]), xytext=(0, above),
+                  textcoords="offset points", ha="center", fontsize=9, color=colour)
 
 
 main("neighbors_scaled.png", draw)

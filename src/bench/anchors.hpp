@@ -8,8 +8,9 @@ namespace vortree::bench {
 /// fma        fused multiply-adds, 8 doubles at a time, all in registers [1/s]
 /// divisions  of doubles, 8 at a time [1/s]
 /// triad      bytes read and written by a = b + s c, from memory [1/s]
+/// write      bytes written by a = s, to memory [1/s]
 struct Anchors {
-  double fma = 0.0, divisions = 0.0, triad = 0.0;
+  double fma = 0.0, divisions = 0.0, triad = 0.0, write = 0.0;
 };
 
 /// threads   working side by side; the rates are those of all together

@@ -60,7 +60,7 @@ print(len(shapes) == len({(row['set'], row['n_ctrl']) for row in rows}))
 
 TEST_CASE("the neighbor bench leaves a table with its origin, and figures") {
   const TemporaryFolder folder;
-  const auto outcome = call("bench neighbors --quick --largest 3100 --threads 2 --out nb", folder);
+  const auto outcome = call("bench neighbors --quick --largest 1100 --threads 2 --out nb", folder);
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
   CHECK(outcome.err.empty());
