@@ -11,7 +11,7 @@ def draw(run):
     bench = Bench(run)
     if len({row["n"] for row in bench.select(family=("scaled", "uniform"))}) < 2:
         raise Nothing
-    fig = figure(9.2, 4.9, "From unsorted particles to finished lists, one thread")
+    fig = figure(9.2, 4.9, "From unsorted particles to finished lists, one thread, fastest of several runs")
     panels = fig.subplots(1, 2, sharey=True)
     for axes, (family, words) in zip(panels, PANELS.items()):
         panel(axes, bench, family, words)
@@ -25,13 +25,14 @@ def panel(axes, bench, family, words):
     axes.set_title(words)
     axes.set(xscale="log", yscale="log", xlabel="particles")
     for method, (name, colour, marker) in METHODS.items():
-        n, seconds = columns(bench.select(family=family, method=method), "seconds")
+        n, seconds = columns(bench.select(family=family, method=method), "fastest")
         axes.plot(n, 1e9 * seconds / n, color=colour, marker=marker, ms=5, label=name)
-        power(axes, n, seconds, colour, 5)
+        if method != "level-grids":  # its label would lie on that of QCG
+            power(axes, n, seconds, colour, 5)
     for listing, order, style, name in (("both", "sorted", "--", "QCG, sorted input"),
                                         ("once", "sorted", ":", "QCG, sorted, each pair once")):
         n, seconds = columns(bench.select(family=family, method="qcg", listing=listing,
-                                          order=order), "seconds")
+                                          order=order), "fastest")
         axes.plot(n, 1e9 * seconds / n, color=METHODS["qcg"][1], ls=style, label=name)
         power(axes, n, seconds, METHODS["qcg"][1], -11)
     if family == "scaled":

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "tree/memory.hpp"
+#include "tree/passing.hpp"
 
 namespace vortree::tree {
 
@@ -13,6 +13,6 @@ namespace vortree::tree {
 ///
 /// cost    O(n) for every 14 bits, of fewer numbers for log2(n) - 2; 8 bytes a number of spare memory
 /// threads OpenMP; the result is the same for any number
-void digit_sort(Unwritten<std::uint64_t>& numbers, int low, int high);
+void digit_sort(Passing<std::uint64_t>& numbers, int low, int high);
 
 }  // namespace vortree::tree

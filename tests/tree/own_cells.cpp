@@ -132,7 +132,7 @@ TEST_CASE("digit by digit, numbers are sorted by the bits asked for, and no othe
   for (const std::size_t n : {0u, 1u, 2u, 100u, 5000u, 200000u}) {
     for (int round = 0; round < 6; ++round) {
       const int low = chance.whole(0, 40), high = chance.whole(low, 64);
-      Unwritten<std::uint64_t> numbers(n);
+      tree::Passing<std::uint64_t> numbers(n);
       for (std::uint64_t& number : numbers) number = chance.bits() >> chance.whole(0, 8);
       const auto part = [&](std::uint64_t number) {
         return high == low ? 0 : number << (64 - high) >> (64 - high + low);
