@@ -27,14 +27,15 @@ def panel(axes, bench, family, words):
     for method, (name, colour, marker) in METHODS.items():
         n, seconds = columns(bench.select(family=family, method=method), "fastest")
         axes.plot(n, 1e9 * seconds / n, color=colour, marker=marker, ms=5, label=name)
-        if method != "level-grids":  # its label would lie on that of QCG
+        if method in ("qcg", "linked-list"):  # labels of the others would lie on these
             power(axes, n, seconds, colour, 5)
     for listing, order, style, name in (("both", "sorted", "--", "QCG, sorted input"),
                                         ("once", "sorted", ":", "QCG, sorted, each pair once")):
         n, seconds = columns(bench.select(family=family, method="qcg", listing=listing,
                                           order=order), "fastest")
         axes.plot(n, 1e9 * seconds / n, color=METHODS["qcg"][1], ls=style, label=name)
-        power(axes, n, seconds, METHODS["qcg"][1], -11)
+        if listing == "both":
+            power(axes, n, seconds, METHODS["qcg"][1], -14)
     if family == "scaled":
         note(axes, "some 50 neighbors each", 0.02, 0.985)
 
