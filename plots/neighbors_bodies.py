@@ -19,13 +19,13 @@ def draw(run):
         rows = bench.select(method="qcg", set=sets)
         if len(rows) < 2:
             raise Nothing
-        n, seconds = columns(rows, "seconds")
+        n, seconds = columns(rows, "fastest")
         axes.plot(n, 1e3 * seconds, color=colour, marker=marker, ms=5, label=words)
         memory.plot(n, 1e-6 * columns(rows, "bytes")[1], color=colour, marker=marker, ms=5, ls=":",
                     mfc="white")
     axes.set(xscale="log", yscale="log", xlabel="particles", ylabel="time  [ms]")
     memory.set(yscale="log", ylabel="memory, list included  [MB]")
-    n, seconds = columns(bench.select(method="qcg", set=SETS[0][0]), "seconds")
+    n, seconds = columns(bench.select(method="qcg", set=SETS[0][0]), "fastest")
     slope(axes, [n[0], 1.6e5], 0.6e3 * seconds[0], 1, "$O(N)$")
     axes.legend(loc="upper left")
     signed(fig, bench)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tree/colleagues.hpp"
+#include "tree/own_cells.hpp"
 #include "tree/pair_rule.hpp"
 #include "tree/placed.hpp"
 #include "tree/quadtree.hpp"
@@ -14,24 +15,15 @@
 
 namespace vortree::tree {
 
-/// The tree that QCG asks for: by rule roomy, but no cell of a handful of particles split; in a
-/// domain so much larger than the points that the cells of some level are as wide as the largest
-/// reach. Particles whose reaches are halved from level to level then fill their cells.
-///
-/// cost    O(n) and the sort
-/// throws  std::invalid_argument if sizes differ, or naming the first coordinate that is not finite
-///         or the first reach that is negative or not finite
-[[nodiscard]] Quadtree build_for_reach(Points points, std::span<const double> reach);
-
 /// Neighbors of particles of many sizes: Quadtree Cells Grid.
 ///
-/// Every particle is placed in the cell of its own level, the deepest whose side still spans its
+/// Every particle is placed in its own cell (own_cells.hpp), the deepest whose side still spans its
 /// reach (or the childless cell that holds it, if that is coarser): coarse particles stay in cells
 /// that are split for the sake of finer ones, so that there are particles in cells of every level.
+/// The tree is one of own cells, each a point at its corner: of a block is asked whether half its
+/// side still spans the smallest reach inside, unless no more than a handful are there.
 ///
-///   level(i) = max { l : side(l) >= (1 + 2^-18) r_i }
-///
-/// Particles are stored cell by cell, those of a cell before those of its descendants, so that a
+/// Particles are sorted cell by cell, those of a cell before those of its descendants, so that a
 /// cell with everything finer in it is one range, and so is what is its own. Then
 ///
 /// - every partner of a particle that is as fine or finer lies in the 3 x 3 cells of its own level:
@@ -45,22 +37,25 @@ namespace vortree::tree {
 /// Any reach will do: from zero to far beyond the domain, continuous or halved from level to level.
 ///
 /// cost    O(n) for placing; for each particle its candidates, some three for each neighbor. Memory
-///         kept: 37 bytes a particle, 90 a cell, a bit or two a candidate
+///         kept: 28 bytes a particle, 50 a cell, 24 a group, a bit or two a candidate; while
+///         particles are sorted 32 more
 /// source  Khorasanizade & Sousa 2019, Quadtree Cells Grid, corrected: pairs are sought from the
 ///         coarser side, where neighbors two or more levels apart are not missed; each once;
 ///         cells come from the tree, so none stays split when its fine particles have gone, and no
 ///         particle is outside
 class Neighbors {
  public:
-  /// Places particles in the tree of build_for_reach.
+  /// Places particles in a tree of their own, some level of which has cells as wide as the largest
+  /// reach.
   ///
   /// reach   one for each point [m]
-  /// throws  as build_for_reach does
+  /// throws  std::invalid_argument if sizes differ, if there are 2^31 points or more, or naming the
+  ///         first coordinate that is not finite or the first reach that is negative or not finite
   void place(Points points, std::span<const double> reach);
 
-  /// Places particles in a tree, which is no longer needed afterwards.
+  /// Places particles no deeper than in a given tree, which is no longer needed afterwards.
   ///
-  /// tree    of these points; fast if as build_for_reach makes it
+  /// tree    of these points; lists do not depend on it, time does
   /// reach   one for each point [m]
   /// throws  std::invalid_argument if sizes differ, if there are 2^31 points or more, or naming the
   ///         first reach that is negative or not finite
@@ -87,26 +82,22 @@ class Neighbors {
     std::uint32_t first, finer, last;
   };
 
-  void place_sorted(const Quadtree& tree, Points points);
-  void find_cells(const Quadtree& tree);
-  void lay_out(std::span<const Cell> cells);
-  void fill(const Quadtree& tree, Points points);
+  void settle(const OwnCells& own);
+  void find_content(std::span<const Cell> cells, const OwnCells& own);
   void find_coarser(std::span<const Cell> cells);
   void make_groups(const Quadtree& tree);
   void name_candidates(const Group& group, Listing listing, std::vector<Range>& others) const;
 
   Placed placed_;
-  Buffer<double> sorted_;               // reaches in the tree's order
   std::vector<Content> content_;        // of each cell
   std::vector<Colleagues> colleagues_;  // of each cell
   std::vector<std::int32_t> coarser_;   // next ancestor with particles of its own nearby; -1: none
-  std::vector<std::uint8_t> rise_;      // of each point in the tree's order: levels above its leaf
   std::vector<Group> groups_;
   RowSearch search_;
 };
 
 /// The same in one call.
-[[nodiscard]] Rows neighbors(const Quadtree& tree, Points points, std::span<const double> reach,
-                             PairRule rule, Listing listing = Listing::both_ways);
+[[nodiscard]] Rows neighbors(Points points, std::span<const double> reach, PairRule rule,
+                             Listing listing = Listing::both_ways);
 
 }  // namespace vortree::tree

@@ -49,14 +49,14 @@ void say(std::string_view line) {
 void bench_velocity(const BenchJob& job) {
   const fs::path csv = table_for(job, "velocity");
   bench::velocity_bench({csv, job.quick, job.threads, job.largest}, say);
-  plot(csv.parent_path());
+  plot(csv.parent_path(), "velocity");
 }
 
 void bench_neighbors(const BenchJob& job) {
   const fs::path csv = table_for(job, "neighbors");
   bench::neighbor_bench({csv, job.quick, job.threads, job.largest}, say);
-  bench::neighbor_uses(csv.parent_path(), job.quick, say);
-  plot(csv.parent_path());
+  bench::neighbor_uses(csv.parent_path(), job.quick, job.largest, say);
+  plot(csv.parent_path(), "neighbors");
 }
 
 void bench_trees(const TreeBenchJob& job) {
@@ -75,7 +75,7 @@ void bench_trees(const TreeBenchJob& job) {
   for (const char* name : {"trees.csv", "trees_reuse.csv"})
     io::require_writable(trees.folder / name);
   bench::tree_bench(trees, say);
-  plot(trees.folder);
+  plot(trees.folder, "trees");
 }
 
 }  // namespace vortree::app

@@ -70,12 +70,13 @@ Outcome run_script(const fs::path& script, const fs::path& folder) {
 
 }  // namespace
 
-void plot(const fs::path& folder) {
+void plot(const fs::path& folder, std::string_view kind) {
   if (!fs::is_directory(folder))
     throw io::InputError(fmt::format("{}: no such folder", folder.string()));
   setenv("MPLBACKEND", "Agg", 1);
   setenv("PYTHONDONTWRITEBYTECODE", "1", 1);
   for (const auto& script : plot_scripts()) {
+    if (!script.filename().string().starts_with(kind)) continue;
     const auto [status, errors] = run_script(script, folder);
     if (status != 0)
       throw std::runtime_error(fmt::format("{}: {}", script.string(), last_line(errors)));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace vortree::app {
 
@@ -10,9 +11,9 @@ namespace vortree::app {
 /// A script writes its pictures into the folder and prints their names; where the folder lacks what
 /// it needs, it writes nothing and leaves with 0.
 ///
+/// kind    only scripts whose names begin with it: "neighbors", "trees", "velocity"
 /// throws  io::InputError if there is no such folder; std::runtime_error with the last line a
-/// script wrote on standard
-///         error, if it fails
-void plot(const std::filesystem::path& folder);
+///         script wrote on standard error, if it fails
+void plot(const std::filesystem::path& folder, std::string_view kind = {});
 
 }  // namespace vortree::app

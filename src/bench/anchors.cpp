@@ -75,6 +75,17 @@ double triad_rate(int threads) {
   return 3.0 * sizeof(double) * static_cast<double>(n) / seconds_of(work);
 }
 
+double write_rate(int threads) {
+  Reals a(std::size_t{16} << 20);
+  const double value = hidden_factor;
+  const auto work = [&] {
+#pragma omp parallel for simd num_threads(threads) schedule(static)
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = value;
+  };
+  work();
+  return sizeof(double) * static_cast<double>(a.size()) / seconds_of(work);
+}
+
 double rate(int threads, double operations, void (*work)()) {
   const auto together = [&] {
 #pragma omp parallel num_threads(threads)
@@ -91,7 +102,8 @@ Anchors measure_anchors(int threads) {
   return {.fma = rate(threads, lanes * chains * additions, multiply_and_add),
           .divisions = rate(threads, lanes * chains * divisions, divide),
           .single_divisions = rate(threads, single_count * chains * divisions, divide_singles),
-          .triad = triad_rate(threads)};
+          .triad = triad_rate(threads),
+          .write = write_rate(threads)};
 }
 
 }  // namespace vortree::bench

@@ -10,8 +10,9 @@ namespace vortree::bench {
 /// divisions         of doubles, likewise [1/s]
 /// single_divisions  of floats [1/s]
 /// triad             bytes read and written by a = b + s c, from memory [1/s]
+/// write             bytes written by a = s, to memory [1/s]
 struct Anchors {
-  double fma = 0.0, divisions = 0.0, single_divisions = 0.0, triad = 0.0;
+  double fma = 0.0, divisions = 0.0, single_divisions = 0.0, triad = 0.0, write = 0.0;
 };
 
 /// threads   working side by side; the rates are those of all together

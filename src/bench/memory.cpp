@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "tree/memory.hpp"
+
 namespace vortree::bench {
 namespace {
 
@@ -25,6 +27,7 @@ void keep_freed_memory() {
 }
 
 MemoryGrowth::MemoryGrowth() {
+  kept_memory::release();
   malloc_trim(0);
   // Sets the high-water mark back to what is in use.
   std::ofstream reset("/proc/self/clear_refs");

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -86,16 +87,17 @@ class Bench {
     largest_ = job.largest > 0 ? job.largest : job.quick ? 1'100'000 : 5'000'000;
     for (const std::string& line : provenance()) write("# " + line);
     for (const int threads : {1, several_}) {
-      const Anchors machine = measure_anchors(threads);
-      write(fmt::format("# anchors: threads={} fma={:.4g} divisions={:.4g} triad={:.4g}", threads,
-                        machine.fma, machine.divisions, machine.triad));
+      const Anchors machine = machine_[threads] = measure_anchors(threads);
+      write(fmt::format(
+          "# anchors: threads={} fma={:.4g} divisions={:.4g} triad={:.4g} write={:.4g}", threads,
+          machine.fma, machine.divisions, machine.triad, machine.write));
     }
     write(
         "family,set,order,n,levels,method,rule,listing,threads,build,search,seconds,fastest,"
-        "repeats,cpu,pairs,bytes,list_bytes");
+        "repeats,cpu,pairs,bytes,list_bytes,write_share");
     say_(
         "set        order    n        method        rule listing threads    ns a particle:"
-        "  build   search    total   bytes");
+        "  build   search    total   bytes beyond the list   share of the write bound");
   }
 
   void measure_set(const Set& set) {
@@ -116,6 +118,19 @@ class Bench {
     }
   }
 
+  // How time grows with n, where there are sets enough to tell.
+  void say_exponents() const {
+    for (const auto& [what, costs] : costs_) {
+      const auto& [family, method, order, listing, threads] = what;
+      if (family != "scaled" && family != "uniform") continue;
+      const std::optional<Slope> slope = fit_slope(costs);
+      if (!slope) continue;
+      say_(fmt::format("{:8} {:13} {:8} {:4} {} threads: time ~ n^{:.3f} from {:.0f} to {:.0f}",
+                       family, method, order, listing, threads, slope->exponent, slope->from,
+                       slope->to));
+    }
+  }
+
  private:
   void measure_one(const Set& set, const Question& question, const ParticleSet& particles,
                    const NeighborMaker& maker) {
@@ -130,15 +145,23 @@ class Bench {
     const auto order = order_names[static_cast<std::size_t>(question.order)];
     const auto rule = rule_names[static_cast<std::size_t>(question.rule)];
     const int levels = 1 + *std::ranges::max_element(particles.level);
+    // Writing the list alone takes so much of the time.
+    const double share =
+        static_cast<double>(made.list_bytes) / machine_[threads].write / made.total;
     const std::string bytes = made.bytes ? fmt::format("{}", *made.bytes) : "";
-    write(fmt::format("{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.3f},{},{},{}",
+    write(fmt::format("{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.3f},{},{},{},{:.4f}",
                       set.family, set.name, order, particles.size(), levels, maker.name, rule,
                       listing, threads, made.build, made.search, made.total, made.fastest,
-                      made.repeats, made.cpu, made.found.pairs, bytes, made.list_bytes));
-    say_(fmt::format("{:10} {:8} {:8} {:13} {:4} {:7} {:7} {:23.1f} {:8.1f} {:8.1f} {:7.0f}",
+                      made.repeats, made.cpu, made.found.pairs, bytes, made.list_bytes, share));
+    const double beyond = static_cast<double>(made.bytes.value_or(made.list_bytes)) -
+                          static_cast<double>(made.list_bytes);
+    say_(fmt::format("{:10} {:8} {:8} {:13} {:4} {:7} {:7} {:23.1f} {:8.1f} {:8.1f} {:7.0f} {:.3f}",
                      set.name, order, particles.size(), maker.name, rule, listing, threads,
                      1e9 * made.build / n, 1e9 * made.search / n, 1e9 * made.total / n,
-                     static_cast<double>(made.bytes.value_or(0)) / n));
+                     beyond / n, share));
+    if (question.rule == PairRule::max) {
+      costs_[{set.family, maker.name, order, listing, threads}].push_back({n, made.fastest});
+    }
   }
 
   // Every method lists the same pairs, one thread or several.
@@ -162,6 +185,11 @@ class Bench {
   std::ofstream out_;
   int several_;
   double patience_, longest_;
+  std::map<int, Anchors> machine_;  // by number of threads
+  // By family, method, order, listing and threads.
+  using What =
+      std::tuple<std::string_view, std::string_view, std::string_view, std::string_view, int>;
+  std::map<What, std::vector<Cost>> costs_;
   std::size_t largest_;
   std::map<std::tuple<Order, PairRule, Listing>, Fingerprint> found_;
 };
@@ -173,6 +201,7 @@ void neighbor_bench(const NeighborBench& job, const std::function<void(std::stri
   keep_freed_memory();
   Bench bench(job, say);
   for (const Set& set : every_set(job.quick)) bench.measure_set(set);
+  bench.say_exponents();
   omp_set_num_threads(threads);
 }
 

@@ -98,6 +98,18 @@ NeighborMeasurement measure_neighbors(const NeighborMaker& maker, const Neighbor
   return made;
 }
 
+std::optional<Slope> fit_slope(std::span<const Cost> costs) {
+  double count = 0, x = 0, y = 0, xx = 0, xy = 0, from = INFINITY, to = 0;
+  for (const auto [n, seconds] : costs) {
+    if (n < 9900) continue;
+    const double u = std::log(n), v = std::log(seconds);
+    ++count, x += u, y += v, xx += u * u, xy += u * v;
+    from = std::min(from, n), to = std::max(to, n);
+  }
+  if (count < 3 || !(to > from)) return {};
+  return Slope{(count * xy - x * y) / (count * xx - x * x), from, to};
+}
+
 double expected_seconds(const NeighborMaker& maker, const NeighborJob& job) {
   const auto n = static_cast<double>(job.points.size());
   if (maker.quadratic) return 0.7e-9 * n * n;

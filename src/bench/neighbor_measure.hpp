@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "bench/neighbor_methods.hpp"
 #include "bench/particle_sets.hpp"
@@ -36,6 +37,18 @@ struct NeighborMeasurement {
 /// seconds   repeats for so long, three times at least; twice if one search takes longer than this
 NeighborMeasurement measure_neighbors(const NeighborMaker& maker, const NeighborJob& job,
                                       double seconds);
+
+/// What a set of n particles costs [s].
+struct Cost {
+  double n, seconds;
+};
+struct Slope {
+  double exponent, from, to;
+};
+
+/// The exponent of n in cost, fitted from 10^4 particles on (least squares of the logarithms);
+/// nothing for fewer than three numbers of particles.
+[[nodiscard]] std::optional<Slope> fit_slope(std::span<const Cost> costs);
 
 /// Seconds that a search will take, roughly, before it is made: so that nobody waits for hours.
 /// From the pairs it tests: all, or those of cells as wide as the largest reach; else some

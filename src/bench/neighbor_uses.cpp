@@ -127,17 +127,17 @@ class Sums {
   tree::Rows rows_;
 };
 
-void measure_sums(const std::filesystem::path& csv, const Say& say) {
+void measure_sums(const std::filesystem::path& csv, bool small, const Say& say) {
   Table table(csv, "way,n,threads,search,density,gradient,density_error,gradient_error");
-  Sums sums("cyl:5:100");
+  Sums sums(small ? "cyl:5:17" : "cyl:5:100");
   for (const auto& [way, words] : {std::pair{Way::full, "full"}, std::pair{Way::half, "half"},
                                    std::pair{Way::visitor, "visitor"}}) {
     table.write(sums.row(way, words, say));
   }
 }
 
-sph::Particles moving_set() {
-  const ParticleSet set = make_particles("cyl:3:100", Order::sorted);
+sph::Particles moving_set(bool small) {
+  const ParticleSet set = make_particles(small ? "cyl:3:20" : "cyl:3:100", Order::sorted);
   sph::Particles made;
   for (std::size_t i = 0; i < set.size(); ++i) {
     made.add(set.x[i], set.y[i], set.reach[i] * set.reach[i], set.reach[i]);
@@ -158,9 +158,9 @@ void advance(sph::Particles& p, int step) {
   sph::merge(p, [&](std::size_t i) { return !inside(i); });
 }
 
-void measure_moving(const std::filesystem::path& csv, int steps, const Say& say) {
+void measure_moving(const std::filesystem::path& csv, bool small, int steps, const Say& say) {
   Table table(csv, "way,n,steps,threads,seconds");
-  sph::Particles p = moving_set();
+  sph::Particles p = moving_set(small);
   tree::Neighbors kept;
   tree::VerletList skinned(PairRule::max, Listing::both_ways, 0.1);
   tree::Rows rows, narrow;
@@ -194,10 +194,10 @@ void measure_moving(const std::filesystem::path& csv, int steps, const Say& say)
   say(fmt::format("moving, skin: rebuilt in {} of {} steps", rebuilt, steps));
 }
 
-void measure_cells(const std::filesystem::path& csv, bool quick, const Say& say) {
+void measure_cells(const std::filesystem::path& csv, std::size_t most, const Say& say) {
   Table table(csv, "dimensions,n,naive,cells,pairs");
   for (const int dimensions : {2, 3}) {
-    for (std::size_t n = 250; n <= (quick ? 16'000u : 64'000u); n *= 2) {
+    for (std::size_t n = 250; n <= most; n *= 2) {
       const Coordinates points = random_coordinates(dimensions, n);
       // As many neighbors as a lattice of spacing s has within 2.4 s, twice h = 1.2 s.
       const double spacing = std::pow(static_cast<double>(n), -1.0 / dimensions);
@@ -217,12 +217,15 @@ void measure_cells(const std::filesystem::path& csv, bool quick, const Say& say)
 
 }  // namespace
 
-void neighbor_uses(const std::filesystem::path& folder, bool quick, const Say& say) {
+void neighbor_uses(const std::filesystem::path& folder, bool quick, std::size_t largest,
+                   const Say& say) {
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);
-  measure_sums(folder / "sph.csv", say);
-  measure_moving(folder / "moving.csv", quick ? 100 : 1000, say);
-  measure_cells(folder / "cells.csv", quick, say);
+  const bool small = largest > 0 && largest < 33170;
+  const std::size_t most = quick ? 16'000 : 64'000;
+  measure_sums(folder / "sph.csv", small, say);
+  measure_moving(folder / "moving.csv", small, quick ? 100 : 1000, say);
+  measure_cells(folder / "cells.csv", small ? std::min(largest, most) : most, say);
   omp_set_num_threads(threads);
 }
 

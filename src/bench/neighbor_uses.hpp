@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string_view>
@@ -15,7 +16,10 @@ namespace vortree::bench {
 ///             with memory of the step before, of one from scratch, of a list with a skin (its
 ///             rebuilds shared among the steps it lasts)
 /// cells.csv   Kollasch & Santoro's experiment: naive search and cells, in 2 and 3 dimensions
-void neighbor_uses(const std::filesystem::path& folder, bool quick,
+///
+/// quick     fewer steps
+/// largest   no set has more particles; 0: as many as it likes
+void neighbor_uses(const std::filesystem::path& folder, bool quick, std::size_t largest,
                    const std::function<void(std::string_view)>& say);
 
 }  // namespace vortree::bench

@@ -66,7 +66,7 @@ print(len(shapes) == len({(row['set'], row['n_ctrl']) for row in rows}))
 
 TEST_CASE("the neighbor bench leaves a table with its origin, and figures") {
   const TemporaryFolder folder;
-  bench("neighbors --quick --largest 3100 --threads 2 --out nb", folder);
+  bench("neighbors --quick --largest 1100 --threads 2 --out nb", folder);
   CHECK(fs::exists(folder / "nb/neighbors_scaled.png"));
   CHECK(of_table("nb/neighbors.csv", R"(
 print(sorted({row['set'] for row in rows}), sorted({row['threads'] for row in rows}))

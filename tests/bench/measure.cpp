@@ -77,6 +77,7 @@ TEST_CASE("a machine multiplies and adds faster than it divides, and moves some 
   CHECK(machine.fma > machine.divisions);
   CHECK(machine.single_divisions > 1e8);
   CHECK(machine.triad > 1e8);
+  CHECK(machine.write > 1e8);
 }
 
 TEST_CASE("a row has a cell for every column; floors come from pairs and anchors") {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
+#include "bench/neighbor_measure.hpp"
 #include "bench/particle_sets.hpp"
 #include "tree/pairs.hpp"
 #include "tree/reaches.hpp"
@@ -88,4 +90,16 @@ TEST_CASE("at full size all fast methods list the same pairs") {
   }
   CHECK(truth.back() > 1000000);
   CHECK(std::ranges::count(sums, sums[0]) == static_cast<std::ptrdiff_t>(sums.size()));
+}
+
+TEST_CASE("the exponent of a power of n is found, from ten thousand on") {
+  std::vector<bench::Cost> costs{{1000, 7}, {3000, 1}};
+  for (const double n : {1e4, 1e5, 1e6}) costs.push_back({n, 3e-7 * std::pow(n, 1.04)});
+  const auto slope = bench::fit_slope(costs);
+  REQUIRE(slope);
+  CHECK(slope->exponent == Approx(1.04));
+  CHECK(slope->from == 1e4);
+  CHECK(slope->to == 1e6);
+  costs.pop_back();
+  CHECK_FALSE(bench::fit_slope(costs));
 }

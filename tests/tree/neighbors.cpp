@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
-#include <mutex>
+#include <numeric>
 
 #include "tree/build_forward.hpp"
 #include "tree/pairs.hpp"
@@ -24,10 +24,8 @@ bool asked(PairRule rule, Listing listing) {
   return rule != PairRule::own || listing == Listing::both_ways;
 }
 
-// Compares a search over a tree with all pairs, every rule and listing.
-void check_all(const tree::Quadtree& tree, tree::Points points, std::span<const double> reach,
-               tree::Neighbors& search) {
-  search.place(tree, points, reach);
+// Compares the lists of placed particles with all pairs, every rule and listing.
+void check_lists(tree::Neighbors& search, tree::Points points, std::span<const double> reach) {
   tree::Rows rows;
   for (const PairRule rule : every_rule) {
     const test::Pairs truth = test::all_pairs(points, reach, rule);
@@ -40,6 +38,17 @@ void check_all(const tree::Quadtree& tree, tree::Points points, std::span<const 
       REQUIRE(equal);
     }
   }
+}
+
+void check_all(tree::Points points, std::span<const double> reach, tree::Neighbors& search) {
+  search.place(points, reach);
+  check_lists(search, points, reach);
+}
+
+void check_all(const tree::Quadtree& tree, tree::Points points, std::span<const double> reach,
+               tree::Neighbors& search) {
+  search.place(tree, points, reach);
+  check_lists(search, points, reach);
 }
 
 struct Particles {
@@ -65,7 +74,7 @@ TEST_CASE("lists hold exactly the pairs that a test of all pairs finds, none twi
         const test::Cloud cloud = test::make_cloud(kind, n, chance);
         const auto reach = test::make_reach(reach_kind, cloud.x.size(), 1.0, chance);
         CAPTURE(cloud.name, reach_kind);
-        check_all(tree::build_for_reach(cloud.points(), reach), cloud.points(), reach, search);
+        check_all(cloud.points(), reach, search);
       }
     }
   }
@@ -78,7 +87,7 @@ TEST_CASE("anywhere, at any scale, and with any tree of the points, the lists ar
     const auto [cloud, reach] = any_particles(250, chance);
     CAPTURE(round, cloud.name);
     const tree::Points points = cloud.points();
-    check_all(tree::build_for_reach(points, reach), points, reach, search);
+    check_all(points, reach, search);
     const int finest = chance.whole(0, tree::max_level);
     tree::MortonOrder order = tree::morton_order(points, tree::enclose(points), finest);
     const auto capacity = static_cast<std::uint32_t>(chance.whole(1, 30));
@@ -101,7 +110,7 @@ TEST_CASE("distances equal to the reach, or off by a last bit, are told apart") 
       const int way = chance.whole(-1, 1);
       p.reach.push_back(way == 0 ? r : std::nextafter(r, way * 1e9));
     }
-    check_all(tree::build_for_reach(p.cloud.points(), p.reach), p.cloud.points(), p.reach, search);
+    check_all(p.cloud.points(), p.reach, search);
   }
 }
 
@@ -111,7 +120,7 @@ TEST_CASE("a large cluster of coincident points in a fine set is listed in full"
   for (int i = 0; i < 500; ++i) p.cloud.add(0.3, 0.7);
   p.reach.assign(p.cloud.x.size(), 0.05);
   tree::Neighbors search;
-  check_all(tree::build_for_reach(p.cloud.points(), p.reach), p.cloud.points(), p.reach, search);
+  check_all(p.cloud.points(), p.reach, search);
 }
 
 TEST_CASE("the visitor is shown the rows of the list") {
@@ -119,7 +128,7 @@ TEST_CASE("the visitor is shown the rows of the list") {
   for (int round = 0; round < 40; ++round) {
     const auto [cloud, reach] = any_particles(600, chance);
     tree::Neighbors search;
-    search.place(tree::build_for_reach(cloud.points(), reach), cloud.points(), reach);
+    search.place(cloud.points(), reach);
     for (const PairRule rule : every_rule) {
       for (const Listing listing : {Listing::both_ways, Listing::once}) {
         if (!asked(rule, listing)) continue;
@@ -146,8 +155,7 @@ TEST_CASE("rows do not depend on the number of threads") {
   std::vector<tree::Rows> rows;
   for (const int threads : {1, 2, 3, 7}) {
     omp_set_num_threads(threads);
-    rows.push_back(tree::neighbors(tree::build_for_reach(cloud.points(), reach), cloud.points(),
-                                   reach, PairRule::max));
+    rows.push_back(tree::neighbors(cloud.points(), reach, PairRule::max));
   }
   omp_set_num_threads(all);
   for (const tree::Rows& other : rows) {
@@ -161,9 +169,8 @@ TEST_CASE("each pair once lists half of both ways") {
   test::Chance chance(37);
   const test::Cloud cloud = test::make_cloud(0, 3000, chance);
   const auto reach = test::make_reach(2, cloud.x.size(), 1.0, chance);
-  const tree::Quadtree tree = tree::build_for_reach(cloud.points(), reach);
-  const auto both = tree::neighbors(tree, cloud.points(), reach, PairRule::max);
-  const auto once = tree::neighbors(tree, cloud.points(), reach, PairRule::max, Listing::once);
+  const auto both = tree::neighbors(cloud.points(), reach, PairRule::max);
+  const auto once = tree::neighbors(cloud.points(), reach, PairRule::max, Listing::once);
   CHECK(2 * once.index.size() == both.index.size());
 }
 
@@ -171,20 +178,35 @@ TEST_CASE("what cannot be searched is refused with numbers") {
   const std::vector<double> x{0, 1, 2}, y{0, 1, 0};
   const std::vector<double> reach{1, 1, 1};
   const tree::Points points{x, y};
-  const tree::Quadtree tree = tree::build_for_reach(points, reach);
+  const tree::Quadtree tree =
+      tree::build_forward(tree::morton_order(points, tree::enclose(points)), tree::crowded(1));
   tree::Neighbors search;
   for (const double bad :
        {-0.5, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     const std::vector<double> broken{1, bad, 1};
     CHECK_THROWS_WITH(search.place(tree, points, broken), Contains("reach[1] is "));
-    CHECK_THROWS_WITH(tree::build_for_reach(points, broken), Contains("reach[1] is "));
+    CHECK_THROWS_WITH(search.place(points, broken), Contains("reach[1] is "));
   }
   const std::vector<double> few{1, 1};
   CHECK_THROWS_WITH(search.place(tree, points, few), Contains("3 points but 2 reaches"));
   CHECK_THROWS_WITH(search.place(tree, {few, few}, few),
                     Contains("2 points, but the tree holds 3"));
-  CHECK_THROWS_WITH(tree::build_for_reach({x, few}, reach), Contains("3 x but 2 y"));
+  CHECK_THROWS_WITH(search.place({x, few}, reach), Contains("3 x but 2 y"));
   search.place(tree, points, reach);
   tree::Rows rows;
   CHECK_THROWS_WITH(search.list(PairRule::own, Listing::once, rows), Contains("not symmetric"));
+}
+
+TEST_CASE("more than 2^32 pairs are counted") {
+  const std::size_t n = 65537;
+  const std::vector<double> place(n, 0.5), reach(n, 1.0);
+  tree::Neighbors search;
+  search.place({place, place}, reach);
+  std::vector<std::size_t> shown(n);
+  search.visit(PairRule::max, Listing::both_ways,
+               [&](std::int32_t i, std::span<const std::int32_t> row) {
+                 shown[static_cast<std::size_t>(i)] = row.size();
+               });
+  CHECK(std::accumulate(shown.begin(), shown.end(), std::uint64_t{0}) == n * (n - 1));
+  CHECK(n * (n - 1) > std::uint64_t{1} << 32);
 }
