@@ -95,7 +95,8 @@ struct Frame {
     const double scale = 0x1p31 / domain.side;
     const kernel::Axis x{domain.x0, domain.x0 + domain.side, scale};
     const kernel::Axis y{domain.y0, domain.y0 + domain.side, scale};
-    (void)kernel::codes(&points.x[some.first], &points.y[some.first], some.size(), x, y, ~Key{0}, to);
+    (void)kernel::codes(&points.x[some.first], &points.y[some.first], some.size(), x, y, ~Key{0},
+                        to);
     kernel::own_cells(addresses, spanned, &reach[some.first], some.size(), to);
   }
 };
@@ -183,16 +184,18 @@ OwnCells sort_numbers(Points points, std::span<const double> reach, const Frame&
 }
 
 OwnCells sort_keys(Points points, std::span<const double> reach, const Frame& frame,
-                   std::vector<Key> keys, std::vector<std::uint32_t> order, Placed& placed) {
+                   std::vector<Key> keys, Unwritten<std::uint32_t> order, Placed& placed) {
   radix_sort(keys, order);
   Particles particles(points.size());
-  for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) { pack(points, reach, some, particles); });
+  for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
+    pack(points, reach, some, particles);
+  });
   const auto sorted = [&](std::uint32_t j) { return Located{keys[j], order[j]}; };
   return lay_out(particles, frame, sorted, placed);
 }
 
-std::vector<std::uint32_t> count_up(std::size_t n) {
-  std::vector<std::uint32_t> numbers(n);
+Unwritten<std::uint32_t> count_up(std::size_t n) {
+  Unwritten<std::uint32_t> numbers(n);
   std::iota(numbers.begin(), numbers.end(), 0u);
   return numbers;
 }
@@ -216,7 +219,9 @@ OwnCells sort_into_own_cells(Points points, std::span<const double> reach, Place
     return sort_numbers(points, reach, frame, particle_bits, placed);
   }
   std::vector<Key> keys(n);
-  for_each_portion(n, [&](std::size_t /*piece*/, Range some) { frame.locate(points, reach, some, &keys[some.first]); });
+  for_each_portion(n, [&](std::size_t /*piece*/, Range some) {
+    frame.locate(points, reach, some, &keys[some.first]);
+  });
   return sort_keys(points, reach, frame, std::move(keys), count_up(n), placed);
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "tree/memory.hpp"
 #include "tree/placed.hpp"
 #include "tree/quadtree.hpp"
 
@@ -22,7 +23,7 @@ namespace vortree::tree {
 /// first     where the particles of every cell begin, and the end of the last
 struct OwnCells {
   Domain domain;
-  std::vector<Key> corner;
+  Unwritten<Key> corner;
   std::vector<std::uint8_t> level;
   std::vector<std::uint32_t> first;
 
