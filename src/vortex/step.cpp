@@ -27,7 +27,7 @@ fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
 }
 
 /// Velocity of the blobs at their acting positions, with stream and wall.
-Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
+Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2 stream) {
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
   Acting carrying = at;
@@ -35,9 +35,9 @@ Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
     for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
   p.velocity->upon_itself_and(as_sources(blobs, carrying),
                               p.wall ? p.wall->samples() : tree::Points{}, u, at_samples);
-  add_stream(u, p.flow.stream);
+  add_stream(u, stream);
   if (p.wall) {
-    const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
+    const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
     const auto sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
     p.wall->add_velocity(sheet, *p.velocity, {at.x, at.y}, u);
   }
@@ -45,10 +45,11 @@ Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
 }
 
 /// The sheet that cancels the slip which the blobs leave at the wall.
-std::vector<double> cancelling_sheet(const Blobs& blobs, const Acting& at, const Problem& p) {
+std::vector<double> cancelling_sheet(const Blobs& blobs, const Acting& at, const Problem& p,
+                                     Vec2 stream) {
   Velocities at_samples(2 * p.wall->panels());
   p.velocity->upon({at.x, at.y, blobs.gamma, {}}, p.wall->samples(), at_samples);
-  const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
+  const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
   return p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
 }
 
@@ -57,10 +58,10 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
     blobs.append(wall.middle(i), sheet[i] * wall.panel_length(), core);
 }
 
-Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
+Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   const Acting at = acting(blobs, &p.wall->shape());
   Wake wake;
-  wake.sheet = cancelling_sheet(blobs, at, p);
+  wake.sheet = cancelling_sheet(blobs, at, p, p.flow.stream_at(time));
   wake.moment = invariants(blobs, &p.wall->shape()).moment + p.wall->first_moment(wake.sheet) +
                 p.retired.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
@@ -85,7 +86,7 @@ void diffuse(Blobs& blobs, const Problem& p, std::uint64_t number) {
 Wake start(Blobs& blobs, const Problem& p) {
   // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
   // step.
-  return p.wall ? cancel_slip(blobs, p, std::sqrt(0.02 * 4 * p.flow.nu * p.dt)) : Wake{};
+  return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * p.dt)) : Wake{};
 }
 
 Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& phase) {
@@ -93,12 +94,15 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
   Wake wake;
   phase("convect");
   convect(
-      blobs, [&](const Blobs& b, const Acting& at) { return carrying(b, at, p); }, shape, p.scheme,
-      p.dt);
+      blobs,
+      [&](const Blobs& b, const Acting& at, double after) {
+        return carrying(b, at, p, p.flow.stream_at(p.time + after));
+      },
+      shape, p.scheme, p.dt);
   if (p.flow.nu > 0) diffuse(blobs, p, number);
   if (p.wall) {
     phase("wall");
-    wake = cancel_slip(blobs, p, p.sigma_0);
+    wake = cancel_slip(blobs, p, p.time + p.dt, p.sigma_0);
   }
   if (p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading) {
     phase("split");
@@ -109,7 +113,7 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
   }
   if (p.box) {
     wake.retired = p.retired + retire(blobs, *p.box);
-    wake.retired.drift(p.flow.stream, p.dt);
+    wake.retired.drift(p.flow.way(p.time, p.dt));
   }
   return wake;
 }
@@ -118,8 +122,9 @@ Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p
   const Acting at = acting(blobs, p.wall ? &p.wall->shape() : nullptr);
   Velocities u(points.size());
   p.velocity->upon(as_sources(blobs, at), points, u);
-  add_stream(u, p.flow.stream);
-  if (p.wall) p.wall->add_velocity(cancelling_sheet(blobs, at, p), *p.velocity, points, u);
+  const Vec2 stream = p.flow.stream_at(p.time);
+  add_stream(u, stream);
+  if (p.wall) p.wall->add_velocity(cancelling_sheet(blobs, at, p, stream), *p.velocity, points, u);
   return u;
 }
 
