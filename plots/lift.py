@@ -22,7 +22,9 @@ def draw(run):
         axes.set_ylabel(name)
         if known in check:
             mean(axes, check, known, T, run.report[f"{short}_impulse"])
-        axes.legend(loc="best", ncol=2)
+        axes.legend(loc="upper right", ncol=2)
+        low, high = axes.get_ylim()
+        axes.set_ylim(low, high + 0.15 * (high - low))
     axes.set_xlim(T[shown][0], T[-1])
     axes.set_xlabel("time  $T = Ut/R$")
     return fig
@@ -30,12 +32,14 @@ def draw(run):
 
 def mean(axes, check, known, T, values):
     late = T >= check.get("shedding_from", 0.0)
+    if not late.any():
+        return
     wanted, off = check[known], check.get(f"{known}_max", 0)
     axes.fill_between([T[late][0], T[-1]], wanted * (1 - off), wanted * (1 + off), color=GREY,
                       alpha=0.35, lw=0)
     axes.plot([T[late][0], T[-1]], 2 * [values[late].mean()], color=INK, lw=0.8, ls=(0, (5, 3)))
     note(axes, f"mean {values[late].mean():.3f} (asked {wanted * (1 - off):.3f} to "
-               f"{wanted * (1 + off):.3f})", y=0.06)
+               f"{wanted * (1 + off):.3f})", x=0.02, y=0.06)
 
 
 main("lift.png", draw)

@@ -26,6 +26,9 @@ class Outline final : public Shape {
       y_[i] = at.y;
       arc_.push_back(arc_.back() + arc_from(i, parameter(i + 1)));
     }
+    for (int g = 0; g < groups; ++g)
+      for (int i = g * of_group; i < (g + 1) * of_group; ++i)
+        reach_[g] = std::max(reach_[g], length(place(i) - place(leader(g))));
   }
 
   double perimeter() const override { return arc_.back(); }
@@ -57,9 +60,11 @@ class Outline final : public Shape {
   }
 
  private:
-  static constexpr int pieces = 512;
+  static constexpr int pieces = 512, of_group = 16, groups = pieces / of_group;
 
   static double parameter(int i) { return turn * i / pieces; }
+  static int leader(int group) { return group * of_group + of_group / 2; }
+  Vec2 place(int i) const { return {x_[i], y_[i]}; }
 
   /// Length from place i on to a parameter nearby: three points of Gauss.
   double arc_from(int i, double t) const {
@@ -74,17 +79,34 @@ class Outline final : public Shape {
     CurvePoint at;
   };
 
-  /// Where |at - curve|^2 has its least value.
-  Foot foot(Vec2 at) const {
-    int best = 0;
+  /// The nearest of the places; a group whose leader is too far off has none.
+  int nearest_place(Vec2 at) const {
+    std::array<double, groups> square;
     double least = INFINITY;
-    for (int i = 0; i < pieces; ++i) {
-      const double dx = at.x - x_[i], dy = at.y - y_[i], d2 = dx * dx + dy * dy;
-      if (d2 < least) {
-        least = d2;
-        best = i;
+    for (int g = 0; g < groups; ++g) {
+      const Vec2 d = at - place(leader(g));
+      square[g] = dot(d, d);
+      least = std::min(least, square[g]);
+    }
+    const double near = std::sqrt(least) * (1 + 1e-12);
+    int best = 0;
+    least = INFINITY;
+    for (int g = 0; g < groups; ++g) {
+      if (square[g] > (near + reach_[g]) * (near + reach_[g])) continue;
+      for (int i = g * of_group; i < (g + 1) * of_group; ++i) {
+        const Vec2 d = at - place(i);
+        if (const double d2 = dot(d, d); d2 < least) {
+          least = d2;
+          best = i;
+        }
       }
     }
+    return best;
+  }
+
+  /// Where |at - curve|^2 has its least value.
+  Foot foot(Vec2 at) const {
+    const int best = nearest_place(at);
     const double low = parameter(best - 1), high = parameter(best + 1);
     double t = parameter(best);
     CurvePoint c = curve_(t);
@@ -94,7 +116,8 @@ class Outline final : public Shape {
       // Where the curve bends away Newton would go uphill: there the length of the curve serves.
       const double step = slope / (bend > 0 ? bend : dot(c.first, c.first));
       const double next = std::clamp(t - step, low, high);
-      const bool settled = std::abs(next - t) < 1e-14;
+      // The error of a step is as the square of it.
+      const bool settled = std::abs(next - t) < 1e-9;
       t = next;
       c = curve_(t);
       if (settled) break;
@@ -103,7 +126,7 @@ class Outline final : public Shape {
   }
 
   Curve curve_;
-  double x_[pieces], y_[pieces];
+  double x_[pieces], y_[pieces], reach_[groups]{};
   std::vector<double> arc_;
 };
 
