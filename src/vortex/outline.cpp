@@ -21,9 +21,7 @@ class Outline final : public Shape {
   explicit Outline(Curve curve) : curve_(std::move(curve)) {
     arc_.push_back(0);
     for (int i = 0; i < pieces; ++i) {
-      const Vec2 at = curve_(parameter(i)).at;
-      x_[i] = at.x;
-      y_[i] = at.y;
+      place_.push_back(curve_(parameter(i)));
       arc_.push_back(arc_.back() + arc_from(i, parameter(i + 1)));
     }
     for (int g = 0; g < groups; ++g)
@@ -64,7 +62,7 @@ class Outline final : public Shape {
 
   static double parameter(int i) { return turn * i / pieces; }
   static int leader(int group) { return group * of_group + of_group / 2; }
-  Vec2 place(int i) const { return {x_[i], y_[i]}; }
+  Vec2 place(int i) const { return place_[i].at; }
 
   /// Length from place i on to a parameter nearby: three points of Gauss.
   double arc_from(int i, double t) const {
@@ -109,7 +107,7 @@ class Outline final : public Shape {
     const int best = nearest_place(at);
     const double low = parameter(best - 1), high = parameter(best + 1);
     double t = parameter(best);
-    CurvePoint c = curve_(t);
+    CurvePoint c = place_[best];
     for (int k = 0; k < 20; ++k) {
       const Vec2 d = c.at - at;
       const double slope = dot(d, c.first), bend = dot(c.first, c.first) + dot(d, c.second);
@@ -117,7 +115,7 @@ class Outline final : public Shape {
       const double step = slope / (bend > 0 ? bend : dot(c.first, c.first));
       const double next = std::clamp(t - step, low, high);
       // The error of a step is as the square of it.
-      const bool settled = std::abs(next - t) < 1e-9;
+      const bool settled = std::abs(next - t) < 1e-7;
       t = next;
       c = curve_(t);
       if (settled) break;
@@ -126,7 +124,8 @@ class Outline final : public Shape {
   }
 
   Curve curve_;
-  double x_[pieces], y_[pieces], reach_[groups]{};
+  std::vector<CurvePoint> place_;
+  double reach_[groups]{};
   std::vector<double> arc_;
 };
 
