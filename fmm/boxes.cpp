@@ -17,13 +17,6 @@ Options resolve(Options options, const Blobs& blobs) {
   return options;
 }
 
-/// From here on single precision is exact enough: its errors are a tenth of the tolerance.
-constexpr double coarse_tolerance = 1e-6;
-
-bool coarse(const Options& options) {
-  return options.order == 0 && options.tolerance >= coarse_tolerance;
-}
-
 Growth grown(const Options& options) {
   return {options.capacity, options.finest_level, options.builder};
 }
@@ -95,7 +88,9 @@ void Boxes::velocity_bare(tree::Points targets, std::span<double> u, std::span<d
 }
 
 Work Boxes::work() const {
-  return count_work({blobs_, multipoles_, gamma_}, blobs_, acceptance(any_core(blobs_)));
+  Work work = count_work({blobs_, multipoles_, gamma_}, blobs_, acceptance(any_core(blobs_)));
+  work.cored_in_floats = coarse(options_);
+  return work;
 }
 
 std::size_t Boxes::bytes() const {

@@ -15,8 +15,10 @@ namespace vortree::fmm {
 /// terms    terms of them, once for each target (box-to-point)
 /// bare     pairs of target and source summed without core
 /// cored    pairs summed with core
+/// ... in_floats   such pairs are summed in single precision wherever it is exact enough
 struct Work {
   std::uint64_t series = 0, terms = 0, bare = 0, cored = 0;
+  bool bare_in_floats = false, cored_in_floats = false;
 };
 
 /// A way to sum, made for a set of blobs; what Plan hides. Results are in the user's units.

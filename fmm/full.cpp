@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fmm/mutual_cores.hpp"
+#include "fmm/mutual_near.hpp"
 #include "tree/split_rule.hpp"
 
 namespace vortree::fmm {
@@ -17,9 +18,6 @@ constexpr double fine_tolerance = 1e-10;
 
 /// Near sums with cores share what a vector of sources costs among the points of a cell.
 constexpr std::uint32_t cored_capacity = 96;
-
-/// From here on series in single precision are exact enough.
-constexpr double coarse_tolerance = 1e-6;
 
 /// Cells of so few points meet cells apart from them point by point rather than by P2L and M2P.
 constexpr std::uint32_t few = 12;
@@ -38,10 +36,6 @@ Options resolve(Options options, const Blobs& blobs) {
   }
   options.tolerance = std::max(options.tolerance, least_tolerance);
   return options;
-}
-
-bool coarse(const Options& options) {
-  return options.order == 0 && options.tolerance >= coarse_tolerance;
 }
 
 LatticeOrder choose_order(const Options& options) {
@@ -103,7 +97,7 @@ void Full::grow(const Blobs& blobs) {
   base_ = build(std::move(order), tree::crowded(options_.capacity), options_.builder);
   tree_ = DeepTree(base_, {blobs.x, blobs.y}, units_, options_.capacity, options_.builder,
                    options_.finest_level == tree::max_level);
-  leaves_ = Leaves(tree_, blobs, units_);
+  leaves_ = Leaves(tree_, blobs, units_, coarse(options_) ? single_count : lane_count);
 }
 
 void Full::list() {
@@ -202,7 +196,9 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
 #pragma omp parallel
   {
     Scratch scratch{
-        {}, {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)}, {}};
+        {tree_, lists_, leaves_, coarse(options_)},
+        {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)},
+        {}};
 #pragma omp for schedule(dynamic)
     for (std::size_t s = 0; s < slabs_.size(); ++s) {
       const tree::Range slab = slabs_[s], places = leaves_.places(slab);
@@ -213,7 +209,7 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
       if (leaves_.cored()) {
         add_cored(slab, scratch, all_u.data(), all_v.data());
       } else {
-        scratch.bare.add(tree_, lists_, leaves_, slab, all_u.data(), all_v.data());
+        scratch.bare.add(slab, all_u.data(), all_v.data());
       }
       add_far(slab, all_u.data(), all_v.data());
       units_.to_velocity(slab_u);
@@ -231,7 +227,7 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
 }
 
 Work Full::work() const {
-  Work work;
+  Work work{.bare_in_floats = coarse(options_), .cored_in_floats = coarse(options_)};
   std::vector<tree::Range> runs;
   for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
     near_runs(leaf, runs);

@@ -76,7 +76,7 @@ LatticeOrder LatticeOrder::fixed(int terms) {
 
 LatticeOrder LatticeOrder::for_tolerance(double tolerance) {
   LatticeOrder order;
-  const double share = tolerance * tolerance / 4 / orbit_count;
+  const double share = tolerance * tolerance / 9 / orbit_count;
   for (int o = 0; o < orbit_count; ++o) {
     int terms = 1;
     while (terms < most_known && losses()[o][terms] > share) ++terms;

@@ -13,7 +13,7 @@
 namespace vortree::fmm {
 
 /// The points of the childless cells in whole vectors: those of a cell begin at a multiple of
-/// lane_count and are filled up with copies of the last one without circulation. In Units.
+/// their lanes and are filled up with copies of the last one without circulation. In Units.
 ///
 /// start   of every childless cell by rank, and the end of all
 struct Leaves {
@@ -22,7 +22,8 @@ struct Leaves {
   std::vector<std::uint32_t> start, size;
 
   Leaves() = default;
-  Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units);
+  /// whole   lanes of a vector; those of bare points only, blobs are in vectors of doubles
+  Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units, std::size_t whole);
 
   [[nodiscard]] bool cored() const { return !points.core.empty(); }
   [[nodiscard]] std::size_t count() const { return size.size(); }

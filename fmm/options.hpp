@@ -29,6 +29,11 @@ struct Options {
   Method method = Method::fmm;
 };
 
+/// Single precision is exact enough: its errors are a tenth of the tolerance.
+[[nodiscard]] inline bool coarse(const Options& options) {
+  return options.order == 0 && options.tolerance >= 1e-6;
+}
+
 /// Told the name of a part of the work as it begins, for whoever keeps the time.
 using Phase = std::function<void(std::string_view)>;
 

@@ -4,8 +4,6 @@
 #include <vector>
 
 #include "fmm/leaves.hpp"
-#include "fmm/lists.hpp"
-#include "fmm/mutual_kernel.hpp"
 
 namespace vortree::fmm {
 
@@ -23,19 +21,6 @@ class Slabs {
 
  private:
   std::vector<std::uint32_t> first_;
-};
-
-/// Near sums of bare vortices in a slab of childless cells.
-class MutualNear {
- public:
-  /// Adds to u and v (times 2 pi, in the places of leaves) all pairs of U with a target in the
-  /// slab.
-  void add(const DeepTree& tree, const Lists& lists, const Leaves& leaves, tree::Range slab,
-           double* u, double* v);
-
- private:
-  std::vector<std::uint32_t> inside_, outside_;  // first places of blocks
-  Unwritten<Lanes> u_, v_;
 };
 
 }  // namespace vortree::fmm

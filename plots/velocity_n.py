@@ -48,9 +48,9 @@ def panel(axes, bench, name, threads):
             at = crossing(line(bench, name, method, 1), direct)
             if at:
                 crossings.append((at, colour))
-    for at, colour in crossings:
+    for step, (at, colour) in enumerate(crossings):  # labels one above the other
         axes.axvline(at[0], color=colour, lw=0.8, ls=":")
-        axes.text(at[0], 1.15 * axes.get_ylim()[0], f" {float(f'{at[0]:.2g}'):,.0f}", color=colour,
+        axes.text(at[0], 1.15 * 1.7**step * axes.get_ylim()[0], f" {float(f'{at[0]:.2g}'):,.0f}", color=colour,
                   fontsize=9.5, va="bottom")
 
 

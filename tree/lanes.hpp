@@ -43,10 +43,19 @@ inline Singles load(const float* from) {
   return a;
 }
 
+inline SingleBits load(const std::int32_t* from) {
+  SingleBits a;
+  std::memcpy(&a, from, sizeof a);
+  return a;
+}
+
 inline void store(double* to, Lanes a) {
   std::memcpy(to, &a, sizeof a);
 }
 inline void store(float* to, Singles a) {
+  std::memcpy(to, &a, sizeof a);
+}
+inline void store(std::int32_t* to, SingleBits a) {
   std::memcpy(to, &a, sizeof a);
 }
 
@@ -81,6 +90,15 @@ inline Singles smaller(Singles a, Singles b) {
   return (Singles)_mm512_min_ps((__m512)a, (__m512)b);
 #elif defined(__AVX__)
   return (Singles)_mm256_min_ps((__m256)a, (__m256)b);
+#else
+  return a < b ? a : b;
+#endif
+}
+inline SingleBits smaller(SingleBits a, SingleBits b) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  return (SingleBits)_mm512_min_epi32((__m512i)a, (__m512i)b);
+#elif defined(__AVX2__)
+  return (SingleBits)_mm256_min_epi32((__m256i)a, (__m256i)b);
 #else
   return a < b ? a : b;
 #endif
@@ -128,6 +146,24 @@ inline Singles narrowed(Lanes first, Lanes second) {
     return __builtin_shufflevector(a, b, lane...);
   }
   (std::make_integer_sequence<int, single_count>{});
+}
+
+/// Two vectors of doubles as one of whole numbers, the nearest ones.
+inline SingleBits rounded(Lanes first, Lanes second) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  const __m512i low = _mm512_castsi256_si512(_mm512_cvtpd_epi32((__m512d)first));
+  return (SingleBits)_mm512_inserti64x4(low, _mm512_cvtpd_epi32((__m512d)second), 1);
+#elif defined(__AVX2__)
+  return (SingleBits)_mm256_set_m128i(_mm256_cvtpd_epi32((__m256d)second),
+                                      _mm256_cvtpd_epi32((__m256d)first));
+#else
+  SingleBits a;
+  for (int i = 0; i < lane_count; ++i) {
+    a[i] = static_cast<std::int32_t>(__builtin_lrint(first[i]));
+    a[i + lane_count] = static_cast<std::int32_t>(__builtin_lrint(second[i]));
+  }
+  return a;
+#endif
 }
 
 inline double sum(Singles a) {

@@ -14,6 +14,9 @@ namespace {
 
 constexpr std::align_val_t alignment{2u << 20};  // a large page
 
+// A kept block is less than so many times as large as what it serves.
+constexpr std::size_t too_large = 2;
+
 // Sizes are rounded up, by an eighth at most, so that a little more or less next time fits.
 std::size_t rounded(std::size_t bytes) {
   std::size_t unit = std::size_t{1} << 16;
@@ -24,10 +27,12 @@ std::size_t rounded(std::size_t bytes) {
 class Store {
  public:
   void* take(std::size_t bytes) {
-    const std::size_t size = rounded(bytes);
+    std::size_t size = rounded(bytes);
     const std::lock_guard lock(mutex_);
     void* memory = nullptr;
-    if (const auto fit = idle_.find(size); fit != idle_.end()) {
+    if (const auto fit = idle_.lower_bound(size);
+        fit != idle_.end() && fit->first / size < too_large) {
+      size = fit->first;
       memory = fit->second;
       idle_bytes_ -= size;
       idle_.erase(fit);
@@ -37,7 +42,7 @@ class Store {
     used_.emplace(memory, size);
     used_bytes_ += size;
     most_ = std::max(most_, used_bytes_);
-    shrink(most_ - used_bytes_);
+    shrink(most_ + most_ / 2 - used_bytes_);
     return memory;
   }
 

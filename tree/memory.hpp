@@ -11,7 +11,8 @@ namespace vortree {
 /// ones again, and fresh pages of the system cost more than most passes over them do (0.4 ns a
 /// byte, with large pages 0.05). Blocks are aligned to and ask for large pages.
 ///
-/// Kept are at most as many bytes as were once in use at the same time. Safe for threads.
+/// Blocks in use and kept are at most half as many bytes again as were once in use at the same
+/// time: what serves in passing need not be given up for what comes after it. Safe for threads.
 namespace kept_memory {
 
 inline constexpr std::size_t least = 1u << 20;  // bytes; smaller blocks are malloc's business

@@ -32,15 +32,15 @@ constexpr int chains = 16;
 constexpr int chains = 10;
 #endif
 
-template <class Step>
-void run_chains(int times, const Step& step) {
-  Lanes value[chains];
-  for (int c = 0; c < chains; ++c) value[c] = fill(1.0 + c);
+template <class Vector, class Step>
+void run_chains(Vector one, int times, const Step& step) {
+  Vector value[chains];
+  for (int c = 0; c < chains; ++c) value[c] = one * static_cast<float>(1 + c);
   for (int time = 0; time < times; ++time) {
 #pragma GCC unroll 16
     for (int c = 0; c < chains; ++c) value[c] = step(value[c]);
   }
-  Lanes sum = {};
+  Vector sum = {};
   for (int c = 0; c < chains; ++c) sum += value[c];
   sink = vortree::sum(sum);
 }
@@ -49,12 +49,17 @@ constexpr int additions = rounds / 2, divisions = rounds / 16;
 
 void multiply_and_add() {
   const Lanes factor = fill(hidden_factor), term = fill(hidden_term);
-  run_chains(additions, [=](Lanes value) { return value * factor + term; });
+  run_chains(fill(1.0), additions, [=](Lanes value) { return value * factor + term; });
 }
 
 void divide() {
   const Lanes divisor = fill(hidden_factor);
-  run_chains(divisions, [=](Lanes value) { return value / divisor; });
+  run_chains(fill(1.0), divisions, [=](Lanes value) { return value / divisor; });
+}
+
+void divide_singles() {
+  const Singles divisor = fill(static_cast<float>(hidden_factor));
+  run_chains(fill(1.0f), divisions, [=](Singles value) { return value / divisor; });
 }
 
 double triad_rate(int threads) {
@@ -85,6 +90,7 @@ Anchors measure_anchors(int threads) {
   constexpr double lanes = lane_count;
   return {.fma = rate(threads, lanes * chains * additions, multiply_and_add),
           .divisions = rate(threads, lanes * chains * divisions, divide),
+          .single_divisions = rate(threads, single_count * chains * divisions, divide_singles),
           .triad = triad_rate(threads)};
 }
 

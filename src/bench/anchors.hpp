@@ -5,11 +5,13 @@ namespace vortree::bench {
 /// What the machine can do at most, measured in some ten milliseconds each: what the speed of a
 /// method is held against.
 ///
-/// fma        fused multiply-adds, 8 doubles at a time, all in registers [1/s]
-/// divisions  of doubles, 8 at a time [1/s]
-/// triad      bytes read and written by a = b + s c, from memory [1/s]
+/// fma               fused multiply-adds of doubles, a register full at a time [1/s]; of floats there
+///                   are twice as many
+/// divisions         of doubles, likewise [1/s]
+/// single_divisions  of floats [1/s]
+/// triad             bytes read and written by a = b + s c, from memory [1/s]
 struct Anchors {
-  double fma = 0.0, divisions = 0.0, triad = 0.0;
+  double fma = 0.0, divisions = 0.0, single_divisions = 0.0, triad = 0.0;
 };
 
 /// threads   working side by side; the rates are those of all together

@@ -41,10 +41,14 @@ double seconds_of(const Measurement& made, std::string_view phase) {
 Floors floors(const Row& row, const Measurement& made, const Anchors& machine) {
   Floors floors;
   if (const auto& work = made.account.work) {
-    const double divided = 0.5 * static_cast<double>(work->bare);
-    const double fused =
-        18.0 * static_cast<double>(work->cored) + 4.0 * static_cast<double>(work->terms);
-    floors.near = scale(row, made) * (divided / machine.divisions + fused / machine.fma);
+    const double fma = 1.0 / machine.fma, division = 1.0 / machine.divisions;
+    const double bare = work->bare_in_floats
+                            ? std::max(0.5 / machine.single_divisions, 0.5 * 4.0 * fma)
+                            : std::max(0.5 * division, 4.0 * fma);
+    const double cored = (work->cored_in_floats ? 0.5 : 1.0) * 18.0 * fma;
+    floors.near = scale(row, made) * (static_cast<double>(work->bare) * bare +
+                                      static_cast<double>(work->cored) * cored +
+                                      static_cast<double>(work->terms) * 4.0 * fma);
   }
   if (made.account.builder) floors.tree = 120.0 * static_cast<double>(row.n) / machine.triad;
   return floors;

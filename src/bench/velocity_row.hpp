@@ -20,9 +20,9 @@ struct Row {
 
 /// Least seconds that the machine would need; nothing where a method does not tell its work.
 ///
-///   near   half a division a bare pair, 18 fused operations a cored one, 4 a term of box-to-point
-///          series: both directions of a pair share 1/r^2, an exponential takes a polynomial of
-///          degree 11. In doubles: what is summed in floats may go below.
+///   near   half a division or 4 fused operations a bare pair and direction, 18 fused ones a cored
+///          pair, 4 a term of box-to-point series: both directions of a pair share 1/r^2, an
+///          exponential takes a polynomial of degree 11. In floats where Work says so.
 ///   tree   120 bytes a blob to memory and back: keys, sorting, points in their new order
 struct Floors {
   std::optional<double> near, tree;

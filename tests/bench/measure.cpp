@@ -75,6 +75,7 @@ TEST_CASE("a machine multiplies and adds faster than it divides, and moves some 
   const bench::Anchors machine = bench::measure_anchors(1);
   CHECK(machine.divisions > 1e8);
   CHECK(machine.fma > machine.divisions);
+  CHECK(machine.single_divisions > 1e8);
   CHECK(machine.triad > 1e8);
 }
 
@@ -83,7 +84,7 @@ TEST_CASE("a row has a cell for every column; floors come from pairs and anchors
   const Measurement made = measured("direct", set, 10);
   const bench::Row row{"uniform", "direct", 1000, {}, 1};
   const bench::Floors least =
-      bench::floors(row, made, {.fma = 1e11, .divisions = 5e9, .triad = 1e10});
+      bench::floors(row, made, {.fma = 1e11, .divisions = 5e9, .single_divisions = 1e10, .triad = 1e10});
   CHECK(*least.near == Approx(0.5 * 999000 / 5e9));
   CHECK_FALSE(least.tree);
   const std::string line = bench::csv_line(row, made, least);

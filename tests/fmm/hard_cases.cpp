@@ -112,9 +112,12 @@ TEST_CASE("odd shapes keep the tolerance: lines, distant clusters, offsets, smal
     }
     return at;
   };
+  const auto cluster = [](int i, double a, double b) {
+    return i % 2 == 0 ? Place{a, b} : Place{1e-14 * a, 1e-14 * b};
+  };
   for (const double sigma : {0.0, 0.02}) {
     CAPTURE(sigma);
-    for (const double tolerance : {1e-4, 1e-10}) {
+    for (const double tolerance : {1e-4, 1e-6, 1e-10}) {
       const fmm::Options options{.tolerance = tolerance};
       const fmm::Options single{.tolerance = tolerance, .capacity = 1};
       const fmm::Options capped{.tolerance = tolerance, .capacity = 1, .finest_level = 3};
@@ -126,6 +129,7 @@ TEST_CASE("odd shapes keep the tolerance: lines, distant clusters, offsets, smal
       check("dust", make_cloud(1024, sigma, dust), options, tolerance);
       check("dust, single", make_cloud(1024, sigma, dust), single, tolerance);
       check("stacks", make_cloud(800, sigma, stacks), options, tolerance);
+      check("cluster", make_cloud(800, sigma, cluster), options, tolerance);
       check("square, single", make_cloud(800, sigma, square), single, tolerance);
       check("square, capped", make_cloud(800, sigma, square), capped, tolerance);
       check("stacks, single", make_cloud(800, sigma, stacks), single, tolerance);
@@ -151,6 +155,39 @@ TEST_CASE("strengths of 1e-300 and 1e300 together, and all zero, end without NaN
   std::vector<double> u(1000, 1.0), v(1000, 1.0);
   fmm::Plan(cloud.blobs(), {}).velocity(u, v);
   CHECK(u == std::vector<double>(1000, 0.0));
+}
+
+TEST_CASE("circulations that sum to zero, and one core over everything, keep the tolerance") {
+  Cloud cloud = make_cloud(1000, 0.02, square);
+  for (std::size_t i = 1; i < 1000; i += 2) cloud.gamma[i] = -cloud.gamma[i - 1];
+  Cloud bare = cloud, covered = cloud;
+  std::ranges::fill(bare.sigma, 0.0);
+  covered.sigma[400] = 1e3;
+  for (const double tolerance : {1e-4, 1e-6, 1e-10}) {
+    for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
+      const fmm::Options options{.tolerance = tolerance, .cores = cores};
+      check("sum zero", cloud, options, tolerance);
+      check("sum zero, bare", bare, options, tolerance);
+      check("covered", covered, options, tolerance);
+    }
+  }
+}
+
+TEST_CASE("targets far from all sources keep the tolerance") {
+  for (const double away : {1.5, 10.0, 1e4}) {
+    const Cloud cloud = make_cloud(1000, 0.02, square);
+    const Cloud there = make_cloud(300, 0.0, [=](int, double a, double b) {
+      return Place{away + a, -2 * away + b};
+    });
+    const fmm::Targets targets{there.x, there.y, {}};
+    const test::Exact exact = test::exact_velocity(cloud.blobs(), targets, fmm::Cores::source);
+    for (const double tolerance : {1e-4, 1e-6, 1e-10}) {
+      CAPTURE(away, tolerance);
+      std::vector<double> u(300), v(300);
+      fmm::Plan(cloud.blobs(), {.tolerance = tolerance}).velocity(targets, u, v);
+      CHECK(test::error_of(u, v, exact).relative_l2 < tolerance);
+    }
+  }
 }
 
 TEST_CASE("extreme lengths end without NaN, near and far") {
