@@ -1,5 +1,5 @@
-"""The force on a body that plunges goes as known: in fluid at rest with Morison's two terms, across
-a stream as on a flat plate."""
+"""The force on a body that plunges goes as known: in fluid at rest with the first harmonic of
+Morison's two terms, across a stream as on a flat plate."""
 
 import numpy as np
 from _style import BLUE, GREY, INK, ORANGE, Nothing, figure, main, note

@@ -13,8 +13,8 @@ struct FlowCase {
   std::unique_ptr<vortex::Velocity> velocity;
   vortex::Problem problem;
 
-  /// Lengths and speeds that make coefficients: D and U (of the stream or, without one, the greatest
-  /// of the plunge). Without a body, or without both, they are 1.
+  /// Lengths and speeds that make coefficients: D and U (of the stream or, without one, the
+  /// greatest of the plunge). Without a body, or without both, they are 1.
   double diameter = 1, speed = 1;
 
   /// Where drag points to: down the stream; without one, the way of the plunge, or x.

@@ -46,8 +46,9 @@ void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Co
   const std::complex<double> f = at_frequency(t, force, periods, omega);
   add(list, "morison_drag_max", c.morison_drag_max,
       [&] { return off(-3 * pi / 8 * f.imag(), c.morison_drag); });
-  add(list, "morison_mass_max", c.morison_mass_max,
-      [&] { return off(2 * flow.speed * f.real() / (pi * flow.diameter * omega), c.morison_mass); });
+  add(list, "morison_mass_max", c.morison_mass_max, [&] {
+    return off(2 * flow.speed * f.real() / (pi * flow.diameter * omega), c.morison_mass);
+  });
 }
 
 }  // namespace

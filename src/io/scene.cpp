@@ -95,8 +95,7 @@ void check_body(const Document& document, const SceneBody& body) {
 }
 
 void check_plunge(const Document& document, const Scene& scene) {
-  if (!scene.body)
-    document.refuse("plunge", "[plunge] is how a body moves; there is no [body]");
+  if (!scene.body) document.refuse("plunge", "[plunge] is how a body moves; there is no [body]");
   const auto [x, y] = scene.plunge->direction;
   if (x == 0 && y == 0)
     document.refuse("plunge.direction",
@@ -146,8 +145,8 @@ void check_together(const Document& document, const Scene& scene) {
 
 bool operator==(const Scene& a, const Scene& b) {
   const auto run = [](const Scene& s) {
-    return std::tie(s.title, s.seed, s.accuracy, s.flow, s.diffusion, s.body, s.plunge, s.cores, s.splitting,
-                    s.merging, s.initial, s.time, s.velocity, s.output, s.check);
+    return std::tie(s.title, s.seed, s.accuracy, s.flow, s.diffusion, s.body, s.plunge, s.cores,
+                    s.splitting, s.merging, s.initial, s.time, s.velocity, s.output, s.check);
   };
   return run(a) == run(b);
 }

@@ -43,9 +43,9 @@ struct SceneFlow {
 
 /// A body with `panels` wall elements; the scene has none in free space. An ellipse has the half
 /// axes radius and across; NACA 0012 a chord, about whose middle it is centred, and a trailing edge
-/// rounded with the radius edge times chord (0.005 if not written; vortex/outline.hpp). Long axis and
-/// chord are turned clockwise by `incidence` degrees from x. Twice the radius, or the chord, is the
-/// length that coefficients and the Reynolds number go by.
+/// rounded with the radius edge times chord (0.005 if not written; vortex/outline.hpp). Long axis
+/// and chord are turned clockwise by `incidence` degrees from x. Twice the radius, or the chord, is
+/// the length that coefficients and the Reynolds number go by.
 struct SceneBody {
   Shape shape = Shape::circle;
   std::optional<double> radius{}, across{}, chord{}, edge{};

@@ -164,8 +164,8 @@ struct Jet {
 
 /// Half the thickness of the section by r = sqrt(x), not yet rounded.
 Jet half_thickness(double r, double edge) {
-  const std::array<double, 9> c{0, 0.6 * 0.2969,  -0.6 * 0.1260, 0, -0.6 * 0.3516,
-                                0, 0.6 * 0.2843, 0,             edge - 0.6 * 0.1036};
+  const std::array<double, 9> c{
+      0, 0.6 * 0.2969, -0.6 * 0.1260, 0, -0.6 * 0.3516, 0, 0.6 * 0.2843, 0, edge - 0.6 * 0.1036};
   Jet sum{};
   for (int k = 8; k >= 0; --k) {
     sum.second = sum.second * r + 2 * sum.first;
@@ -211,9 +211,10 @@ std::unique_ptr<Shape> naca0012(Vec2 centre, double chord, double edge, double i
     const double c = std::cos(t / 2), s = std::sin(t / 2), side = c < 0 ? -1 : 1;
     const Jet r{side * c, -side * s / 2, -side * c / 4}, root{s, c / 2, -s / 4};
     const Jet x = r * r;
-    const Jet y = composed(half_thickness(r.value, edge), r) * composed(rounding(s, edge / 2), root);
-    return place({chord * Vec2{x.value - 0.5, side * y.value}, chord * Vec2{x.first, side * y.first},
-                  chord * Vec2{x.second, side * y.second}});
+    const Jet y =
+        composed(half_thickness(r.value, edge), r) * composed(rounding(s, edge / 2), root);
+    return place({chord * Vec2{x.value - 0.5, side * y.value},
+                  chord * Vec2{x.first, side * y.first}, chord * Vec2{x.second, side * y.second}});
   });
 }
 

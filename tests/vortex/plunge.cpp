@@ -34,8 +34,7 @@ Forces forces(vortex::Problem problem, int steps) {
     const Vec2 rate = (1 / problem.dt) * (wakes[k].moment - wakes[k - 1].moment);
     made.time.push_back((k - 0.5) * problem.dt);
     made.by_impulse.push_back({-rate.y, rate.x});
-    made.by_wall.push_back(wakes[k].pressure +
-                           0.5 * (wakes[k - 1].friction + wakes[k].friction));
+    made.by_wall.push_back(wakes[k].pressure + 0.5 * (wakes[k - 1].friction + wakes[k].friction));
   }
   return made;
 }
@@ -60,8 +59,8 @@ vortex::Problem problem_of(const vortex::Wall& wall, const vortex::Velocity& vel
           .velocity = &velocity};
 }
 
-/// Mass that a body carries along without viscosity, per unit density: the impulse of the sheet that
-/// it has at speed 1, less what the frame adds.
+/// Mass that a body carries along without viscosity, per unit density: the impulse of the sheet
+/// that it has at speed 1, less what the frame adds.
 double added_mass(std::unique_ptr<vortex::Shape> shape, Vec2 along) {
   const vortex::Wall wall(std::move(shape), 200);
   const auto slip = wall.slip(-1.0 * along, vortex::Velocities(2 * wall.panels()), {}, {});
@@ -75,7 +74,8 @@ TEST_CASE("the stream that a body sees is that of its velocity, and adds up to i
   const Flow flow{{1, 0.2}, 0.01, {{0.1, 0.3}, 0.7}};
   Vec2 way;
   const int parts = 2000;
-  for (int k = 0; k < parts; ++k) way = way + 1.3 / parts * flow.stream_at(0.4 + 1.3 * (k + 0.5) / parts);
+  for (int k = 0; k < parts; ++k)
+    way = way + 1.3 / parts * flow.stream_at(0.4 + 1.3 * (k + 0.5) / parts);
   const Vec2 off = way - flow.way(0.4, 1.3);
   CHECK(std::hypot(off.x, off.y) < 1e-6);
   const double h = 1e-5;
@@ -88,7 +88,8 @@ TEST_CASE("areas of bodies") {
   CHECK(vortex::Wall(vortex::ellipse({3, 1}, 0.5, 0.2, 0.3), 200).area() ==
         Approx(pi / 10).epsilon(1e-10));
   // 0.6 t of the polynomial's integral is 0.0822 chords^2 for t = 0.12.
-  CHECK(vortex::Wall(vortex::naca0012({}, 1, 0.001, 0), 600).area() == Approx(0.0822).epsilon(5e-3));
+  CHECK(vortex::Wall(vortex::naca0012({}, 1, 0.001, 0), 600).area() ==
+        Approx(0.0822).epsilon(5e-3));
 }
 
 TEST_CASE("a body without viscosity carries the mass along that is known: circle and ellipse") {
@@ -103,8 +104,7 @@ TEST_CASE("a cylinder that trembles in a viscous fluid feels what Stokes found, 
   // F = -pi R^2 (1 + 4 K1(z)/(z K0(z))) dV/dt, z = R sqrt(i omega/nu), for small amplitudes.
   const double nu = 0.01, radius = 0.5, frequency = 1, amplitude = 0.01;
   const vortex::Wall wall(vortex::circle({}, radius), 80);
-  const auto velocity =
-      vortex::velocity_by_plan({.tolerance = 1e-4, .cores = fmm::Cores::mean});
+  const auto velocity = vortex::velocity_by_plan({.tolerance = 1e-4, .cores = fmm::Cores::mean});
   const Plunge plunge{{amplitude, 0}, frequency};
   const int period = 80;
   const Forces f =
