@@ -122,12 +122,16 @@ TEST_CASE("NACA 0012 turned nose up: its chord points down the stream by the inc
   CHECK(std::abs(shape->nearest(centre + (chord / 2) * back).distance) < 1e-12);
   CHECK(std::abs(shape->nearest(centre - (chord / 2) * back).distance) < 1e-12);
   bench::Uniform uniform(4);
-  for (int k = 0; k < 200; ++k) {  // the nearest place is the foot of a normal
+  for (int k = 0; k < 200; ++k) {  // the nearest place is the foot of a normal, and none is nearer
     const Vec2 at{3 * (uniform() - 0.5), 1.5 * (uniform() - 0.5)};
     const auto w = shape->nearest(at);
     const Vec2 foot = at - w.distance * w.normal;
     CHECK(length(foot - shape->point(w.arc)) < 1e-8);
     CHECK(shape->distance(at) == Approx(w.distance).margin(1e-13));
+    double least = INFINITY;
+    for (int i = 0; i < 3000; ++i)
+      least = std::min(least, length(at - shape->point(shape->perimeter() * i / 3000)));
+    CHECK(std::abs(w.distance) <= least + 1e-12);
   }
 }
 
