@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "fmm/arrangement.hpp"
-#include "fmm/blobs.hpp"
 #include "fmm/units.hpp"
+#include "fmm/vortices.hpp"
+#include "tree/grown.hpp"
 #include "tree/memory.hpp"
 #include "tree/quadtree.hpp"
 
@@ -28,16 +28,17 @@ struct Frame {
 
 /// A quadtree that goes on below its finest level: childless cells that are too full there are
 /// split on by trees of their own, so that clusters as narrow as the digits of a double have cells.
+/// Those are grown as one forest, from leaf to root.
 /// Cells are in level order, as in tree::Quadtree.
 class DeepTree {
  public:
   DeepTree() = default;
 
-  /// points     those the base was built from
+  /// vortices   those the base was built from, in input order
   /// capacity   of a childless cell; cells of the base's finest level that hold more are split on
   /// deepen     false: the base as it is
-  DeepTree(const tree::Quadtree& base, tree::Points points, const Units& units,
-           std::uint32_t capacity, Builder builder, bool deepen);
+  DeepTree(const tree::Quadtree& base, std::span<const Vortex> vortices, const Units& units,
+           std::uint32_t capacity, bool deepen);
 
   [[nodiscard]] std::span<const DeepCell> cells() const { return cells_; }
   [[nodiscard]] const Frame& frame(std::size_t cell) const { return frames_[cell]; }
@@ -52,15 +53,15 @@ class DeepTree {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
-  struct Graft;
+  struct Grafts;
 
   void take(const tree::Quadtree& base);
-  [[nodiscard]] tree::Quadtree grown(const Frame& at, tree::Range own, tree::Points points,
-                                     const Units& units, std::uint32_t capacity,
-                                     Builder builder) const;
-  void append(const std::vector<Graft>& grafts);
-  void set_frames(const tree::Domain& domain, const Units& units);
-  void rank_childless();
+  void set_frames(int from, const tree::Domain& domain, const Units& units);
+  [[nodiscard]] Grafts find_full(const tree::Quadtree& base, std::uint32_t capacity) const;
+  [[nodiscard]] Unwritten<tree::Key> sort(const Grafts& grafts, std::span<const Vortex> vortices);
+  [[nodiscard]] Unwritten<tree::Key> encode(const Grafts& grafts,
+                                            std::span<const Vortex> vortices) const;
+  void append(const Grafts& grafts, const tree::Grown& forest);
 
   Unwritten<DeepCell> cells_;
   Unwritten<Frame> frames_;

@@ -7,6 +7,7 @@
 
 #include "fmm/mutual_cores.hpp"
 #include "fmm/mutual_near.hpp"
+#include "fmm/vortices.hpp"
 #include "tree/split_rule.hpp"
 
 namespace vortree::fmm {
@@ -95,9 +96,10 @@ void Full::grow(const Blobs& blobs) {
   domain = tree::enlarge(domain, stretch(domain.side, std::max(even, reach)));
   tree::MortonOrder order = tree::morton_order({blobs.x, blobs.y}, domain, options_.finest_level);
   base_ = build(std::move(order), tree::crowded(options_.capacity), options_.builder);
-  tree_ = DeepTree(base_, {blobs.x, blobs.y}, units_, options_.capacity, options_.builder,
+  const Unwritten<Vortex> vortices = side_by_side(blobs, units_);
+  tree_ = DeepTree(base_, vortices, units_, options_.capacity,
                    options_.finest_level == tree::max_level);
-  leaves_ = Leaves(tree_, blobs, units_, coarse(options_) ? single_count : lane_count);
+  leaves_ = Leaves(tree_, vortices, widest > 0.0, coarse(options_) ? single_count : lane_count);
 }
 
 void Full::list() {

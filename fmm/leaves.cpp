@@ -10,41 +10,39 @@ namespace {
 constexpr std::size_t ahead = 48;  // places to ask memory for in advance
 constexpr std::uint32_t crowd = 256;
 
-bool any_core(const Blobs& blobs) {
-  for (const double sigma : blobs.sigma) {
-    if (sigma > 0.0) return true;
-  }
-  return false;
-}
-
-/// A blob in Units.
-struct alignas(32) Record {
-  double x, y, gamma, core;
-};
-
-/// The blobs in their input order, each in one place: to fetch it from afar costs one line of the
-/// cache, not three or four.
-Unwritten<Record> side_by_side(const Blobs& blobs, const Units& units, bool cored) {
-  Unwritten<Record> records(blobs.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    records[i] = {units.position(blobs.x[i]), units.position(blobs.y[i]),
-                  units.circulation(blobs.gamma[i]),
-                  cored ? units.squared_core(blobs.sigma[i]) : 0.0};
-  }
-  return records;
-}
-
 }  // namespace
 
-Leaves::Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units, std::size_t whole) {
+Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored,
+               std::size_t whole) {
+  number(tree, cored ? lane_count : whole);
+  auto& [x, y, core] = points;
+  for (auto* values : {&x, &y, &gamma}) values->resize(places());
+  if (cored) core.resize(places());
   const auto cells = tree.cells();
   const auto childless = tree.childless();
   const auto order = tree.order();
+#pragma omp parallel for schedule(static)
+  for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) {
+    const tree::Range run = cells[childless[leaf]].points;
+    std::uint32_t to = start[leaf];
+    for (std::uint32_t j = run.first; j < run.last; ++j, ++to) {
+      __builtin_prefetch(&vortices[order[std::min(j + ahead, order.size() - 1)]]);
+      const Vortex& vortex = vortices[order[j]];
+      x[to] = vortex.x, y[to] = vortex.y, gamma[to] = vortex.gamma;
+      if (cored) core[to] = vortex.core;
+    }
+    for (; to < start[leaf + 1]; ++to) {
+      x[to] = x[to - 1], y[to] = y[to - 1], gamma[to] = 0.0;
+      if (cored) core[to] = core[to - 1];
+    }
+  }
+}
+
+void Leaves::number(const DeepTree& tree, std::size_t whole) {
+  const auto cells = tree.cells();
+  const auto childless = tree.childless();
   start.resize(childless.size() + 1);
   size.resize(childless.size());
-  const bool cored = any_core(blobs);
-  if (cored) whole = lane_count;
   std::uint32_t end = 0;
   for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) {
     start[leaf] = end;
@@ -52,25 +50,6 @@ Leaves::Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units, std
     end += static_cast<std::uint32_t>(padded(size[leaf], whole));
   }
   start.back() = end;
-  auto& [x, y, core] = points;
-  for (auto* values : {&x, &y, &gamma}) values->resize(end);
-  if (cored) core.resize(end);
-  const Unwritten<Record> records = side_by_side(blobs, units, cored);
-#pragma omp parallel for schedule(static)
-  for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) {
-    const tree::Range run = cells[childless[leaf]].points;
-    std::uint32_t to = start[leaf];
-    for (std::uint32_t j = run.first; j < run.last; ++j, ++to) {
-      __builtin_prefetch(&records[order[std::min(j + ahead, order.size() - 1)]]);
-      const Record& blob = records[order[j]];
-      x[to] = blob.x, y[to] = blob.y, gamma[to] = blob.gamma;
-      if (cored) core[to] = blob.core;
-    }
-    for (; to < start[leaf + 1]; ++to) {
-      x[to] = x[to - 1], y[to] = y[to - 1], gamma[to] = 0.0;
-      if (cored) core[to] = core[to - 1];
-    }
-  }
 }
 
 bool Leaves::in_one_place(std::uint32_t leaf) const {

@@ -4,10 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "fmm/blobs.hpp"
 #include "fmm/cells.hpp"
 #include "fmm/deep_tree.hpp"
-#include "fmm/units.hpp"
+#include "fmm/vortices.hpp"
 #include "tree/memory.hpp"
 
 namespace vortree::fmm {
@@ -22,8 +21,10 @@ struct Leaves {
   std::vector<std::uint32_t> start, size;
 
   Leaves() = default;
-  /// whole   lanes of a vector; those of bare points only, blobs are in vectors of doubles
-  Leaves(const DeepTree& tree, const Blobs& blobs, const Units& units, std::size_t whole);
+  /// vortices   in input order
+  /// cored      false: their cores do not count
+  /// whole      lanes of a vector; those of bare points only, blobs are in vectors of doubles
+  Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored, std::size_t whole);
 
   [[nodiscard]] bool cored() const { return !points.core.empty(); }
   [[nodiscard]] std::size_t count() const { return size.size(); }
@@ -39,6 +40,9 @@ struct Leaves {
     return sizeof(double) * (gamma.capacity() * 3 + points.core.capacity()) +
            sizeof(std::uint32_t) * (start.capacity() + size.capacity());
   }
+
+ private:
+  void number(const DeepTree& tree, std::size_t whole);
 };
 
 }  // namespace vortree::fmm

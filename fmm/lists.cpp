@@ -27,18 +27,19 @@ constexpr std::array<std::array<Place, 9>, 4> make_places() {
 
 constexpr auto places = make_places();
 
-void append(std::vector<Rows::Entry>& to, const std::vector<Rows::Entry>& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
 }  // namespace
 
-Rows::Rows(std::size_t rows, std::span<const Entry> entries)
-    : first_(rows + 1), cells_(entries.size()) {
-  for (const Entry entry : entries) ++first_[entry.row + 1];
+Rows::Rows(std::size_t rows, std::span<const std::span<const Entry>> parts) : first_(rows + 2) {
+  // counted two rows ahead, summed, and moved on as the cells go in: in the end one row ahead
+  for (const auto part : parts) {
+    for (const Entry entry : part) ++first_[entry.row + 2];
+  }
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (const Entry entry : entries) cells_[next[entry.row]++] = entry.cell;
+  cells_.resize(first_.back());
+  for (const auto part : parts) {
+    for (const Entry entry : part) cells_[first_[entry.row + 1]++] = entry.cell;
+  }
+  first_.pop_back();
 }
 
 /// Entries of the rows, as some cells find them.
@@ -70,13 +71,18 @@ void Lists::find_kin(const DeepTree& tree) {
       children_[c][cells[k].quadrant] = static_cast<std::int32_t>(k);
     }
   }
+#pragma omp parallel for schedule(static) if (count > alone)
   for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
     leaves_[childless[leaf]] = {leaf, leaf + 1};
   }
-  for (std::uint32_t c = count; c-- > 0;) {
-    const tree::Range children = cells[c].children;
-    if (children.empty()) continue;
-    leaves_[c] = {leaves_[children.first].first, leaves_[children.last - 1].last};
+  for (int level = tree.depth(); level >= 0; --level) {
+    const tree::Range range = tree.level(level);
+#pragma omp parallel for schedule(static) if (range.size() > alone)
+    for (std::uint32_t c = range.first; c < range.last; ++c) {
+      const tree::Range children = cells[c].children;
+      if (children.empty()) continue;
+      leaves_[c] = {leaves_[children.first].first, leaves_[children.last - 1].last};
+    }
   }
 }
 
@@ -123,6 +129,7 @@ void Lists::find_neighbors_of(const DeepTree& tree, std::uint32_t c) {
 void Lists::find_meetings(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
   const auto cells = tree.cells();
   const auto count = static_cast<std::uint32_t>(cells.size());
+#pragma omp parallel for schedule(static) if (count > alone)
   for (const std::uint32_t b : tree.childless()) {
     if (cells[b].points.size() < few) {
       marks_[b] = static_cast<std::uint16_t>(marks_[b] | 1u << sparse_bit);
@@ -135,20 +142,23 @@ void Lists::find_meetings(const DeepTree& tree, std::uint32_t few, const Hidden&
     const std::uint32_t end = std::min(count, (p + 1) * portion);
     for (std::uint32_t c = p * portion; c < end; ++c) look(tree, c, hidden, some[p]);
   }
-  Found all;
-  for (const Found& found : some) {
-    append(all.x, found.x);
-    append(all.w, found.w);
-    append(all.x_met, found.x_met);
-    append(all.finer, found.finer);
-    append(all.refused, found.refused);
-  }
   const std::size_t leaves = tree.childless().size();
-  x_ = Rows(count, all.x);
-  w_ = Rows(leaves, all.w);
-  x_met_ = Rows(count, all.x_met);
-  finer_ = Rows(leaves, all.finer);
-  refused_ = Rows(count, all.refused);
+  struct Making {
+    Rows& rows;
+    std::vector<Rows::Entry> Found::*entries;
+    std::size_t count;
+  };
+  const Making makings[] = {{x_, &Found::x, count},
+                            {w_, &Found::w, leaves},
+                            {x_met_, &Found::x_met, count},
+                            {finer_, &Found::finer, leaves},
+                            {refused_, &Found::refused, count}};
+#pragma omp parallel for schedule(dynamic, 1) if (portions > 2)
+  for (const Making& making : makings) {
+    std::vector<std::span<const Rows::Entry>> parts;
+    for (const Found& found : some) parts.emplace_back(found.*making.entries);
+    making.rows = Rows(making.count, parts);
+  }
 }
 
 /// What c meets of its X, of coarser neighbors, and of families that refuse its own.

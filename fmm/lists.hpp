@@ -23,8 +23,8 @@ class Rows {
   };
 
   Rows() = default;
-  /// Entries of a row keep their order.
-  Rows(std::size_t rows, std::span<const Entry> entries);
+  /// Entries of a row keep their order, those of one part before those of the next.
+  Rows(std::size_t rows, std::span<const std::span<const Entry>> parts);
 
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t row) const {
     return std::span(cells_).subspan(first_[row], first_[row + 1] - first_[row]);

@@ -1,5 +1,6 @@
 #include "tree/build_forward.hpp"
 
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -13,12 +14,12 @@ namespace vortree::tree {
 namespace {
 
 // Where child q of a family ends, if it ends inside `within`.
-std::uint32_t end_of_child(const std::vector<Key>& keys, Range within, Key child, int level) {
+std::uint32_t end_of_child(std::span<const Key> keys, Range within, Key child, int level) {
   return kernel::lower_bound(keys, within, first_descendant(child + 1, level));
 }
 
 // Appends the occupied children of a cell and notes which of them they are.
-void split(std::vector<Cell>& cells, std::uint32_t parent, const std::vector<Key>& keys,
+void split(std::vector<Cell>& cells, std::uint32_t parent, std::span<const Key> keys,
            std::vector<Cell>& children) {
   const Range points = cells[parent].points;
   const Key family = cells[parent].key << 2;

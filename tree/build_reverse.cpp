@@ -1,6 +1,7 @@
 #include "tree/build_reverse.hpp"
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -110,7 +111,7 @@ class Climber {
     return low;
   }
 
-  const std::vector<Key>& keys_;
+  std::span<const Key> keys_;
   const Domain& domain_;
   int finest_;
   const SplitRule& must_split_;
@@ -120,8 +121,8 @@ class Climber {
 // places on, and it must not hold the one before.
 class Reacher {
  public:
-  Reacher(const MortonOrder& order, Crowded rule)
-      : keys_(order.keys), finest_(order.finest), n_ctrl_(rule.n_ctrl) {}
+  Reacher(std::span<const Key> keys, int finest, Crowded rule)
+      : keys_(keys), finest_(finest), n_ctrl_(rule.n_ctrl) {}
 
   [[nodiscard]] Run climb(std::uint32_t first, int met, int /*start*/) const {
     const auto n = static_cast<std::uint32_t>(keys_.size());
@@ -147,33 +148,33 @@ class Reacher {
   }
 
  private:
-  const std::vector<Key>& keys_;
+  std::span<const Key> keys_;
   int finest_;
   std::uint32_t n_ctrl_;
 };
 
-// The childless cells that begin in some piece of the points.
+// Appends the childless cells that begin in some piece of the points. Leaves count points from
+// `offset`.
 template <class Finder>
-std::vector<Leaf> leaves_in(Range points, const MortonOrder& order, const Finder& finder) {
-  std::vector<Leaf> leaves;
-  int level = order.finest;
+void add_leaves(Range points, std::span<const Key> keys, const Finder& finder, std::uint32_t offset,
+                std::vector<Leaf>& leaves) {
+  int level = max_level;
   std::uint32_t first = points.first == 0 ? 0 : finder.end_of_cell(points.first - 1);
   while (first < points.last) {
-    const int met = meeting_level(order.keys, first);
+    const int met = meeting_level(keys, first);
     const Run run = finder.climb(first, met, level);
     level = run.level;
-    leaves.push_back({first, static_cast<std::int16_t>(met), static_cast<std::int16_t>(level)});
+    leaves.push_back(
+        {offset + first, static_cast<std::int16_t>(met), static_cast<std::int16_t>(level)});
     first = run.last;
   }
-  return leaves;
 }
 
 template <class Finder>
-Leaves find_leaves(const MortonOrder& order, const Finder& finder, std::size_t pieces) {
-  const std::size_t n = order.keys.size();
+Leaves find_leaves(std::span<const Key> keys, const Finder& finder, std::size_t pieces) {
   Leaves leaves(pieces);
-  for_each_piece(leaves.size(), [&](std::size_t p) {
-    leaves[p] = leaves_in(piece(n, p, leaves.size()), order, finder);
+  for_each_piece(pieces, [&](std::size_t p) {
+    add_leaves(piece(keys.size(), p, pieces), keys, finder, 0, leaves[p]);
   });
   return leaves;
 }
@@ -182,8 +183,26 @@ Leaves find_leaves(const MortonOrder& order, const Finder& finder, std::size_t p
 
 Grown grow_reverse(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
   const auto* crowded = must_split.target<Crowded>();
-  return assemble(order.keys, crowded ? find_leaves(order, Reacher(order, *crowded), pieces)
-                                      : find_leaves(order, Climber(order, must_split), pieces));
+  const Leaves leaves =
+      crowded ? find_leaves(order.keys, Reacher(order.keys, order.finest, *crowded), pieces)
+              : find_leaves(order.keys, Climber(order, must_split), pieces);
+  return assemble(order.keys, leaves);
+}
+
+Grown grow_forest(std::span<const Key> keys, std::span<const Range> runs, Crowded must_split,
+                  std::size_t pieces) {
+  Leaves leaves(pieces);
+  for_each_piece(pieces, [&](std::size_t p) {
+    const Range part = piece(keys.size(), p, pieces);
+    auto run = std::ranges::upper_bound(runs, part.first, {}, &Range::first) - 1;
+    for (; run != runs.end() && run->first < part.last; ++run) {
+      const std::span<const Key> own = keys.subspan(run->first, run->size());
+      const std::uint32_t first = std::max(part.first, run->first) - run->first;
+      const std::uint32_t last = std::min(part.last, run->last) - run->first;
+      add_leaves({first, last}, own, Reacher(own, max_level, must_split), run->first, leaves[p]);
+    }
+  });
+  return assemble(keys, leaves);
 }
 
 Quadtree build_reverse(MortonOrder order, const SplitRule& must_split) {

@@ -34,7 +34,7 @@ Levels begun(const std::vector<Leaf>& leaves) {
 // cell ends is never written by who begins it, so that one thread may close what another opens.
 class Walk {
  public:
-  Walk(const std::vector<Key>& keys, std::vector<Cell>& cells, const Levels& next, int deepest)
+  Walk(std::span<const Key> keys, std::vector<Cell>& cells, const Levels& next, int deepest)
       : keys_(keys), cells_(cells), next_(next), deepest_(deepest) {
     for (int level = 0; level <= max_level; ++level) open_[level] = next[level] - 1;
   }
@@ -65,7 +65,7 @@ class Walk {
   }
 
  private:
-  const std::vector<Key>& keys_;
+  std::span<const Key> keys_;
   std::vector<Cell>& cells_;
   Levels next_, open_{};
   int deepest_;
@@ -110,7 +110,7 @@ Quadtree Grown::over(MortonOrder order) && {
   return tree;
 }
 
-Grown assemble(const std::vector<Key>& keys, const Leaves& leaves) {
+Grown assemble(std::span<const Key> keys, const Leaves& leaves) {
   Numbers numbers = number(leaves);
   Grown grown{std::vector<Cell>(numbers.level_first.back()), std::move(numbers.level_first), {}};
   std::vector<std::size_t> rank(leaves.size() + 1, 0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tree/quadtree.hpp"
@@ -32,10 +33,10 @@ using Leaves = std::vector<std::vector<Leaf>>;
 
 /// The tree with the given childless cells: walking them in Morton order, each begins new cells
 /// from just below the level at which it meets its predecessor down to its own; all others of its
-/// ancestors are there already.
+/// ancestors are there already. One that meets nobody begins at a root.
 ///
 /// cost    O(cells); every piece by a thread
-[[nodiscard]] Grown assemble(const std::vector<Key>& keys, const Leaves& leaves);
+[[nodiscard]] Grown assemble(std::span<const Key> keys, const Leaves& leaves);
 
 /// What build_forward and build_reverse return, by so many pieces, each the work of one thread. The
 /// number makes no difference.
@@ -44,12 +45,21 @@ using Leaves = std::vector<std::vector<Leaf>>;
 [[nodiscard]] Grown grow_reverse(const MortonOrder& order, const SplitRule& must_split,
                                  std::size_t pieces);
 
+/// Many trees at once, each over a run of points of its own and a domain of its own, down to level
+/// 31. Cells of all are numbered together, level by level and tree by tree within a level; a root
+/// for each run makes level 0.
+///
+/// keys   ascending within each run
+/// runs   not empty, one after the other, together all keys
+[[nodiscard]] Grown grow_forest(std::span<const Key> keys, std::span<const Range> runs,
+                                Crowded must_split, std::size_t pieces);
+
 /// Numbers of the childless cells in Morton order.
 [[nodiscard]] std::vector<std::uint32_t> rank_childless(const std::vector<Cell>& cells);
 
 /// The level of the smallest cell that holds both a point and the one before it; -1 if there is no
 /// such cell.
-[[nodiscard]] inline int meeting_level(const std::vector<Key>& keys, std::uint32_t point) {
+[[nodiscard]] inline int meeting_level(std::span<const Key> keys, std::uint32_t point) {
   return point == 0 || point == keys.size() ? -1 : common_level(keys[point - 1], keys[point]);
 }
 

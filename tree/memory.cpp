@@ -1,6 +1,8 @@
 #include "tree/memory.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <new>
@@ -14,8 +16,8 @@ namespace {
 
 constexpr std::align_val_t alignment{2u << 20};  // a large page
 
-// A kept block is less than so many times as large as what it serves.
-constexpr std::size_t too_large = 2;
+// What is idle comes in pieces: so much more is kept for those that are too small just now.
+constexpr std::size_t spare_part = 8;
 
 // Sizes are rounded up, by an eighth at most, so that a little more or less next time fits.
 std::size_t rounded(std::size_t bytes) {
@@ -24,36 +26,37 @@ std::size_t rounded(std::size_t bytes) {
   return (bytes + unit - 1) / unit * unit;
 }
 
+// Memory of the system comes in regions. They are cut where less is asked for, and what comes back
+// grows together again with what is idle beside it: so one large block serves several small ones
+// after another.
 class Store {
  public:
   void* take(std::size_t bytes) {
-    std::size_t size = rounded(bytes);
+    const std::size_t size = rounded(bytes);
     const std::lock_guard lock(mutex_);
-    void* memory = nullptr;
-    if (const auto fit = idle_.lower_bound(size);
-        fit != idle_.end() && fit->first / size < too_large) {
-      size = fit->first;
-      memory = fit->second;
-      idle_bytes_ -= size;
-      idle_.erase(fit);
-    } else {
-      memory = fresh(size);
-    }
+    auto piece = best_fit(size);
+    if (piece == idle_.end()) piece = add_region(size);
+    std::byte* const memory = piece->first;
+    if (piece->second > size) idle_.emplace(memory + size, piece->second - size);
+    idle_.erase(piece);
+    idle_bytes_ -= size;
     used_.emplace(memory, size);
     used_bytes_ += size;
     most_ = std::max(most_, used_bytes_);
-    shrink(most_ + most_ / 2 - used_bytes_);
+    shrink(most_ + most_ / spare_part - used_bytes_);
     return memory;
   }
 
   void give_back(void* memory) {
     const std::lock_guard lock(mutex_);
-    const auto place = used_.find(memory);
-    const std::size_t size = place->second;
-    used_.erase(place);
+    const auto used = used_.find(static_cast<std::byte*>(memory));
+    const std::size_t size = used->second;
     used_bytes_ -= size;
-    idle_.emplace(size, memory);
     idle_bytes_ += size;
+    const auto piece = idle_.emplace(used->first, size).first;
+    used_.erase(used);
+    join(piece, std::next(piece));
+    if (piece != idle_.begin()) join(std::prev(piece), piece);
   }
 
   void release() {
@@ -68,7 +71,18 @@ class Store {
   }
 
  private:
-  void* fresh(std::size_t size) {
+  using Pieces = std::map<std::byte*, std::size_t>;  // by address, with their bytes
+
+  Pieces::iterator best_fit(std::size_t size) {
+    auto best = idle_.end();
+    for (auto piece = idle_.begin(); piece != idle_.end(); ++piece) {
+      if (piece->second < size) continue;
+      if (best == idle_.end() || piece->second < best->second) best = piece;
+    }
+    return best;
+  }
+
+  Pieces::iterator add_region(std::size_t size) {
     void* memory = ::operator new(size, alignment, std::nothrow);
     if (memory == nullptr) {
       shrink(0);
@@ -77,22 +91,43 @@ class Store {
 #ifdef __linux__
     madvise(memory, size, MADV_HUGEPAGE);  // a wish: if refused, nothing is lost
 #endif
-    return memory;
+    const auto region = regions_.emplace(static_cast<std::byte*>(memory), size).first;
+    idle_bytes_ += size;
+    return idle_.insert(*region).first;
   }
 
-  // Frees idle blocks, the smallest first, until no more than so many bytes are left.
+  // Makes one piece of two neighbors of a region.
+  void join(Pieces::iterator first, Pieces::iterator second) {
+    if (second == idle_.end() || first->first + first->second != second->first) return;
+    if (regions_.contains(second->first)) return;
+    first->second += second->second;
+    idle_.erase(second);
+  }
+
+  // Frees idle regions until no more than so many bytes are left, or no region is idle throughout.
+  // The smallest that is enough goes, else the largest: what goes will soon be missed.
   void shrink(std::size_t bytes) {
     while (idle_bytes_ > bytes) {
-      const auto smallest = idle_.begin();
-      idle_bytes_ -= smallest->first;
-      ::operator delete(smallest->second, alignment);
-      idle_.erase(smallest);
+      const std::size_t excess = idle_bytes_ - bytes;
+      auto best = regions_.end();
+      for (auto region = regions_.begin(); region != regions_.end(); ++region) {
+        const auto piece = idle_.find(region->first);
+        if (piece == idle_.end() || piece->second != region->second) continue;
+        const auto better = [&](std::size_t a, std::size_t b) {
+          return a >= excess && b >= excess ? a < b : a > b;
+        };
+        if (best == regions_.end() || better(region->second, best->second)) best = region;
+      }
+      if (best == regions_.end()) return;
+      idle_bytes_ -= best->second;
+      idle_.erase(best->first);
+      ::operator delete(best->first, alignment);
+      regions_.erase(best);
     }
   }
 
   std::mutex mutex_;
-  std::multimap<std::size_t, void*> idle_;
-  std::map<void*, std::size_t> used_;
+  Pieces regions_, idle_, used_;
   std::size_t idle_bytes_ = 0, used_bytes_ = 0, most_ = 0;
 };
 

@@ -9,10 +9,11 @@ namespace vortree {
 
 /// Large blocks of memory that outlive their vectors: the next step of a flow asks for the same
 /// ones again, and fresh pages of the system cost more than most passes over them do (0.4 ns a
-/// byte, with large pages 0.05). Blocks are aligned to and ask for large pages.
+/// byte, with large pages 0.05). Blocks lie in large pages, if the system has them, and serve again
+/// whole, in parts, or joined to what was cut from them.
 ///
-/// Blocks in use and kept are at most half as many bytes again as were once in use at the same
-/// time: what serves in passing need not be given up for what comes after it. Safe for threads.
+/// Kept are, together with what is in use, no more bytes than were once in use at the same time and
+/// an eighth; unless a block in use holds on to the rest of its region. Safe for threads.
 namespace kept_memory {
 
 inline constexpr std::size_t least = 1u << 20;  // bytes; smaller blocks are malloc's business

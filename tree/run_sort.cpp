@@ -65,6 +65,26 @@ void RunSort::operator()(std::span<const Record> run, Key differing, std::span<K
   }
 }
 
+// What shares all bits that count is rare in a short run: insertion puts it right.
+void RunSort::whole(std::span<Key> keys, std::span<std::uint32_t> index) {
+  const std::size_t n = keys.size();
+  records_.resize(n);
+  Key differing = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    records_[i] = {keys[i], index[i]};
+    differing |= keys[i] ^ keys[0];
+  }
+  (*this)(records_, differing, keys, index);
+  for (std::size_t i = 1; i < n; ++i) {
+    const Record record{keys[i], index[i]};
+    std::size_t place = i;
+    for (; place > 0 && keys[place - 1] > record.key; --place) {
+      keys[place] = keys[place - 1], index[place] = index[place - 1];
+    }
+    keys[place] = record.key, index[place] = record.index;
+  }
+}
+
 // The leading bits differ, or the run is short.
 void RunSort::sort(std::span<std::uint64_t> numbers, std::span<std::uint64_t> spare) {
   if (numbers.size() <= short_run) {

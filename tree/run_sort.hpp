@@ -34,9 +34,16 @@ class RunSort {
   void operator()(std::span<const Record> run, Key differing, std::span<Key> keys,
                   std::span<std::uint32_t> index);
 
+  /// Sorts keys by all of their bits, in place, carrying an index along.
+  ///
+  /// keys   at most `most_whole`
+  void whole(std::span<Key> keys, std::span<std::uint32_t> index);
+  static constexpr std::size_t most_whole = 512;
+
  private:
   void sort(std::span<std::uint64_t> numbers, std::span<std::uint64_t> spare);
 
+  std::vector<Record> records_;
   std::vector<std::uint64_t> numbers_, spare_;
   std::vector<std::uint32_t> place_;
 };

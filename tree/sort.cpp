@@ -43,13 +43,13 @@ void check_request(Points points, const Domain& domain, int finest) {
   throw std::invalid_argument("morton_order: " + text.str());
 }
 
-std::vector<Key> encode_points(Points points, const Domain& domain, int finest) {
+Unwritten<Key> encode_points(Points points, const Domain& domain, int finest) {
   const double scale = 0x1p31 / domain.side;
   const kernel::Axis x{domain.x0, domain.x0 + domain.side, scale};
   const kernel::Axis y{domain.y0, domain.y0 + domain.side, scale};
   const Key mask = ~Key{0} << 2 * (max_level - finest);
   const std::size_t n = points.size();
-  std::vector<Key> keys(n);
+  Unwritten<Key> keys(n);
   std::size_t strays = 0;
 #pragma omp parallel for schedule(static) reduction(+ : strays) if (n > worth_sharing)
   for (std::size_t first = 0; first < n; first += portion) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
+#include "tree/memory.hpp"
 #include "tree/morton.hpp"
 #include "tree/points.hpp"
 
@@ -15,8 +15,8 @@ namespace vortree::tree {
 struct MortonOrder {
   Domain domain;
   int finest = max_level;
-  std::vector<Key> keys;
-  std::vector<std::uint32_t> index;
+  Unwritten<Key> keys;
+  Unwritten<std::uint32_t> index;
   bool operator==(const MortonOrder&) const = default;
 };
 

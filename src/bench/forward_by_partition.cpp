@@ -109,8 +109,7 @@ class Partition {
 
 tree::MortonOrder finished(const tree::Domain& domain, Records& records, const tree::Grown& grown) {
   const std::size_t n = records.size();
-  tree::MortonOrder order{domain, tree::max_level, std::vector<Key>(n),
-                          std::vector<std::uint32_t>(n)};
+  tree::MortonOrder order{domain, tree::max_level, Unwritten<Key>(n), Unwritten<std::uint32_t>(n)};
 #pragma omp parallel for schedule(static) if (n > tree::worth_sharing)
   for (const std::uint32_t c : grown.childless) {
     const Range run = grown.cells[c].points;

@@ -61,7 +61,7 @@ class Repair {
     find_bounds();
   }
 
-  bool run(std::vector<Key>& keys, std::vector<std::uint32_t>& index) {
+  bool run(Unwritten<Key>& keys, Unwritten<std::uint32_t>& index) {
     const std::size_t pieces = tree::pieces_of(previous_.size());
     leaving_.resize(pieces);
     tree::for_each_piece(pieces, [&](std::size_t p) {

@@ -21,7 +21,7 @@ struct Found {
   int level;
 };
 
-std::vector<Occupied> occupied(const std::vector<Key>& keys, int level) {
+std::vector<Occupied> occupied(std::span<const Key> keys, int level) {
   std::vector<Occupied> cells;
   for (std::uint32_t j = 0; j < keys.size(); ++j) {
     const Key key = tree::ancestor(keys[j], level);

@@ -58,7 +58,9 @@ struct Grown {
         base(tree::build_reverse(
             tree::morton_order({places.x, places.y}, tree::enclose({places.x, places.y}), finest),
             tree::crowded(capacity))),
-        tree(base, {places.x, places.y}, units, capacity, fmm::Builder::reverse, deepen) {}
+        tree(base,
+             fmm::side_by_side({places.x, places.y, std::vector(places.x.size(), 0.0), {}}, units),
+             units, capacity, deepen) {}
 };
 
 /// Numbers of twice the digits.

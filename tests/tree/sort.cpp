@@ -83,7 +83,7 @@ TEST_CASE("many keys, spread or in crowds, are sorted by any number of threads")
       REQUIRE(sorted.keys == expected.keys);
       REQUIRE(sorted.index == expected.index);
       sorted = pairs;
-      REQUIRE(tree::radix_sort(sorted.keys) == expected.index);
+      REQUIRE(std::ranges::equal(tree::radix_sort(sorted.keys), expected.index));
       REQUIRE(sorted.keys == expected.keys);
     }
   }
@@ -114,6 +114,47 @@ TEST_CASE("a run is sorted in the cache as std::stable_sort would, whatever its 
     for (std::size_t i = 0; i < n; ++i) {
       REQUIRE(keys[i] == run[i].key);
       REQUIRE(index[i] == run[i].index);
+    }
+  }
+}
+
+TEST_CASE("crowds of equal keys among others, of the greatest key, and of two keys are sorted") {
+  test::Chance chance(17);
+  const int threads = omp_get_max_threads();
+  const tree::Key last = ~tree::Key{0};
+  for (const int kind : {0, 1, 2, 3}) {
+    Pairs pairs = random_pairs(260000, last, chance);
+    for (std::size_t i = 0; i < pairs.keys.size(); ++i) {
+      tree::Key& key = pairs.keys[i];
+      const bool rare = i % 4999 == 17;
+      if (kind == 0 && !rare) key = 42;
+      if (kind == 1 && !rare) key = last;
+      if (kind == 2) key = last - key % 2;
+      if (kind == 3) key = rare ? 0x1000000000000001 : 0x1000000000000000;
+    }
+    const Pairs expected = plainly_sorted(pairs);
+    for (const int count : {1, 3}) {
+      omp_set_num_threads(count);
+      Pairs sorted = pairs;
+      tree::radix_sort(sorted.keys, sorted.index);
+      REQUIRE(sorted.keys == expected.keys);
+      REQUIRE(sorted.index == expected.index);
+    }
+  }
+  omp_set_num_threads(threads);
+}
+
+TEST_CASE("a short run is sorted by all bits, equal keys in their order") {
+  test::Chance chance(18);
+  tree::RunSort sort_run;
+  for (const tree::Key mask : {~tree::Key{0} >> 2, tree::Key{0}, tree::Key{7}, tree::Key{7} << 59,
+                               tree::Key{0x3000000000000003}}) {
+    for (const int n : {1, 2, 24, 25, 85, 300, 512}) {
+      Pairs pairs = random_pairs(n, mask, chance);
+      const Pairs expected = plainly_sorted(pairs);
+      sort_run.whole(pairs.keys, pairs.index);
+      REQUIRE(pairs.keys == expected.keys);
+      REQUIRE(pairs.index == expected.index);
     }
   }
 }
@@ -158,7 +199,7 @@ TEST_CASE("points come in the order of their codes, equal ones in the order of i
       REQUIRE(order.keys[j - 1] <= order.keys[j]);
       if (order.keys[j - 1] == order.keys[j]) REQUIRE(order.index[j - 1] < order.index[j]);
     }
-    std::vector<std::uint32_t> permutation = order.index;
+    auto permutation = order.index;
     std::sort(permutation.begin(), permutation.end());
     for (std::uint32_t i = 0; i < permutation.size(); ++i) REQUIRE(permutation[i] == i);
   }
@@ -189,7 +230,7 @@ TEST_CASE("the top and right edges belong to the last cells") {
   const std::vector<double> x{0.4, 0.1, 0.4}, y{0.4, 0.4, 0.1};
   const tree::MortonOrder order = tree::morton_order({x, y}, {0.1, 0.1, 0.3});
   const std::uint32_t last = (1u << 31) - 1;
-  CHECK(order.index == std::vector<std::uint32_t>{2, 1, 0});
+  CHECK(order.index == Unwritten<std::uint32_t>{2, 1, 0});
   CHECK(tree::decode(order.keys[0]) == tree::GridCell{last, 0});
   CHECK(tree::decode(order.keys[2]) == tree::GridCell{last, last});
 }
