@@ -120,16 +120,19 @@ class Run:
 
     @property
     def speed(self):
-        """Of the stream; 1 without one, as in the program's coefficients."""
-        return float(np.hypot(*self.stream)) or 1.0
+        """Of the stream; without one the greatest of the plunge, or 1, as in the program's
+        coefficients."""
+        plunge = self.scene.get("plunge", {"amplitude": 0, "frequency": 0})
+        fastest = 2 * np.pi * plunge["frequency"] * plunge["amplitude"]
+        return float(np.hypot(*self.stream)) or fastest or 1.0
 
     @property
     def body(self):
-        """(radius, centre) of the body; Nothing in free space."""
+        """(radius, centre) of the body, the radius half of its length; Nothing in free space."""
         if "body" not in self.scene:
             raise Nothing
         body = self.scene["body"]
-        return body["radius"], np.array(body.get("centre", [0.0, 0.0]))
+        return body.get("radius", body.get("chord", 0) / 2), np.array(body.get("centre", [0, 0]))
 
     def reference(self, key):
         """The reference file that [check] names, or None: it lies beside the scene file, or, when

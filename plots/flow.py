@@ -1,10 +1,10 @@
 """What the flow looks like: vorticity, and the streamlines past a body."""
 
 import numpy as np
+from _outline import outline
 from _streamlines import streamlines
-from _style import INK, Nothing, figure, main
+from _style import Nothing, figure, main
 from matplotlib.colors import LinearSegmentedColormap
-from matplotlib.patches import Ellipse
 
 MOST = 4  # panels
 COLOURS = LinearSegmentedColormap.from_list("vorticity", [
@@ -14,7 +14,7 @@ COLOURS = LinearSegmentedColormap.from_list("vorticity", [
 
 def draw(run):
     body = "body" in run.scene
-    circle = body and "across" not in run.scene["body"]
+    circle = body and run.scene["body"].get("shape", "circle") == "circle"
     fields = scaled(run, body)
     clip = scale(fields, body)
     box = window(fields, body, 0.02 * clip)
@@ -25,10 +25,11 @@ def draw(run):
     grid = fig.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
     for axes, field in zip(grid.flat, fields):
         picture = vorticity(axes, field, circle, clip)
-        if circle and run.stream.any() and "strouhal" not in run.check:  # closed wakes only
+        closed = run.stream.any() and "strouhal" not in run.check and "plunge" not in run.scene
+        if circle and closed:  # closed wakes only
             streamlines(axes, field, run.stream / run.speed)
         if body:
-            axes.add_patch(outline(run))
+            axes.add_patch(outline(run.scene["body"]))
         axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$")
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
         axes.grid(False)
@@ -44,13 +45,6 @@ def draw(run):
     bar.set_label("vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$")
     bar.outline.set_linewidth(0.5)
     return fig
-
-
-def outline(run):
-    body = run.scene["body"]
-    across = body.get("across", body["radius"]) / body["radius"]
-    return Ellipse((0, 0), 2, 2 * across, angle=-body.get("incidence", 0), facecolor="#4d4d4d",
-                   edgecolor=INK, lw=0.8, zorder=3)
 
 
 def scaled(run, body):

@@ -36,14 +36,21 @@ void doubt_body(List& list, const io::Scene& scene, double speed) {
         "time integration can follow; the drag will be wrong, or the run will end early; {:.2g} is "
         "right",
         dt, turn, 0.02 * std::sqrt(550 * nu / (speed * size)) * size / speed));
-  const double panel = std::numbers::pi * size / scene.body->panels, thin = scene.cores.sigma_0;
+  const double around = io::perimeter_of(*scene.body);
+  const double panel = around / scene.body->panels, thin = scene.cores.sigma_0;
   if (panel > 3 * thin)
     list.push_back(fmt::format(
         "body.panels = {}: panels of {:.2g} are {:.2g} released cores long, so that "
         "fresh vorticity "
         "has gaps along the wall: the drag will be noisy, by percents and more; {} are enough",
         scene.body->panels, panel, panel / thin,
-        static_cast<int>(std::ceil(std::numbers::pi * size / (1.42 * thin)))));
+        static_cast<int>(std::ceil(around / (1.42 * thin)))));
+  const double edge = io::edge_of(*scene.body) * size;
+  if (scene.body->shape == io::Shape::naca0012 && panel > 1.5 * edge)
+    list.push_back(fmt::format(
+        "body.panels = {}: panels of {:.2g} do not resolve a trailing edge of radius {:.2g}: the "
+        "sheet around it will be off by percents; {} are enough",
+        scene.body->panels, panel, edge, static_cast<int>(std::ceil(around / (0.7 * edge)))));
   const double fresh = std::sqrt(nu * dt);
   if (thin > 3 * fresh || thin < fresh / 3)
     list.push_back(
@@ -81,7 +88,7 @@ void doubt_vortex(List& list, const io::Scene& scene) {
 
 std::vector<std::string> doubts(const io::Scene& scene) {
   List list;
-  const double speed = std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
+  const double speed = io::fastest_of(scene);
   if (scene.body && speed > 0 && scene.flow.nu > 0) doubt_body(list, scene, speed);
   if (scene.initial && !scene.body) doubt_vortex(list, scene);
   return list;

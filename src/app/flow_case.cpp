@@ -45,10 +45,20 @@ vortex::Diffusion diffusion_of(io::DiffusionKind kind) {
 }
 
 std::unique_ptr<vortex::Shape> shape_of(const io::SceneBody& body) {
+  const double incidence = body.incidence * std::numbers::pi / 180;
   if (body.shape == io::Shape::ellipse)
-    return vortex::ellipse(vec(body.centre), body.radius, *body.across,
-                           body.incidence * std::numbers::pi / 180);
-  return vortex::circle(vec(body.centre), body.radius);
+    return vortex::ellipse(vec(body.centre), *body.radius, *body.across, incidence);
+  if (body.shape == io::Shape::naca0012)
+    return vortex::naca0012(vec(body.centre), *body.chord, io::edge_of(body), incidence);
+  return vortex::circle(vec(body.centre), *body.radius);
+}
+
+vortex::Vec2 unit(const io::Vec2& a) {
+  return (1 / std::hypot(a[0], a[1])) * vec(a);
+}
+
+vortex::Plunge plunge_of(const io::ScenePlunge& plunge) {
+  return {plunge.amplitude * unit(plunge.direction), plunge.frequency};
 }
 
 std::optional<vortex::Box> box_of(const io::SceneMerging& merging) {
@@ -77,11 +87,15 @@ FlowCase flow_case(const io::Scene& scene) {
     made.wall = std::make_unique<vortex::Wall>(shape_of(*scene.body), scene.body->panels);
     made.diameter = io::length_of(*scene.body);
   }
-  const double speed = std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
-  if (speed > 0) made.speed = speed;
+  if (const double speed = io::speed_of(scene); speed > 0) made.speed = speed;
+  if (std::hypot(scene.flow.stream[0], scene.flow.stream[1]) > 0)
+    made.along = unit(scene.flow.stream);
+  else if (scene.plunge)
+    made.along = unit(scene.plunge->direction);
   made.velocity = velocity_of(scene.velocity);
   made.problem = {
-      .flow = {vec(scene.flow.stream), scene.flow.nu},
+      .flow = {vec(scene.flow.stream), scene.flow.nu,
+               scene.plunge ? plunge_of(*scene.plunge) : vortex::Plunge{}},
       .dt = scene.time.dt,
       .scheme =
           scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4 : vortex::Scheme::rk2,

@@ -13,8 +13,12 @@ struct FlowCase {
   std::unique_ptr<vortex::Velocity> velocity;
   vortex::Problem problem;
 
-  /// Lengths and speeds that make coefficients: D and U. Without a body or a stream they are 1.
+  /// Lengths and speeds that make coefficients: D and U (of the stream or, without one, the
+  /// greatest of the plunge). Without a body, or without both, they are 1.
   double diameter = 1, speed = 1;
+
+  /// Where drag points to: down the stream; without one, the way of the plunge, or x.
+  vortex::Vec2 along{1, 0};
 };
 
 FlowCase flow_case(const io::Scene& scene);

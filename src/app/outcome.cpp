@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "app/free_space_checks.hpp"
+#include "app/plunge_checks.hpp"
 #include "app/rows.hpp"
 #include "bench/periodogram.hpp"
 #include "io/table.hpp"
@@ -47,7 +48,7 @@ void check_drag(std::vector<Verdict>& list, const io::Scene& scene, const Rows& 
   }
 }
 
-/// A wake that sheds: its frequency, and its mean drag.
+/// A wake that sheds: its frequency, and its mean drag and lift.
 void check_shedding(std::vector<Verdict>& list, const io::SceneCheck& c, const Rows& rows) {
   Column lift, drag;
   const Column all_lift = rows.column("cl_impulse"), all_drag = rows.column("cd_impulse"),
@@ -64,18 +65,24 @@ void check_shedding(std::vector<Verdict>& list, const io::SceneCheck& c, const R
     const double unit = 2 * (t.back() - t.front()) / (rows.T().back() - rows.T().front());
     return std::abs(unit * bench::dominant_frequency(lift, t[1] - t[0]) / *c.strouhal - 1);
   });
-  add(list, "mean_drag_max", c.mean_drag_max, [&] {
-    if (!enough || !c.mean_drag) return unseen;
-    return std::abs(std::accumulate(drag.begin(), drag.end(), 0.0) / drag.size() / *c.mean_drag -
+  const auto mean_off = [&](const Column& values, const std::optional<double>& known) {
+    if (!enough || !known) return unseen;
+    return std::abs(std::accumulate(values.begin(), values.end(), 0.0) / values.size() / *known -
                     1);
-  });
+  };
+  add(list, "mean_drag_max", c.mean_drag_max, [&] { return mean_off(drag, c.mean_drag); });
+  add(list, "mean_lift_max", c.mean_lift_max, [&] { return mean_off(lift, c.mean_lift); });
 }
 
-void check_forces(std::vector<Verdict>& list, const io::SceneCheck& c, const Rows& rows) {
+void check_forces(std::vector<Verdict>& list, const io::Scene& scene, const Rows& rows) {
+  const io::SceneCheck& c = scene.check;
   const Column impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
                lift = rows.column("cl_impulse"), wall_lift = rows.column("cl_wall");
   add(list, "routes_max", c.routes_max, [&] {
-    return rows.largest(c.routes_from, [&](std::size_t r) { return impulse[r] / wall[r] - 1; });
+    if (!scene.plunge)
+      return rows.largest(c.routes_from, [&](std::size_t r) { return impulse[r] / wall[r] - 1; });
+    const double most = rows.largest(c.routes_from, [&](std::size_t r) { return impulse[r]; });
+    return rows.largest(c.routes_from, [&](std::size_t r) { return impulse[r] - wall[r]; }) / most;
   });
   add(list, "lift_routes_max", c.lift_routes_max, [&] {
     const double most = rows.largest(c.routes_from, [&](std::size_t r) { return lift[r]; });
@@ -142,8 +149,9 @@ std::vector<Verdict> verdicts(const io::Scene& scene, const std::filesystem::pat
   const Rows rows(folder / "report.csv");
   if (flow.wall) {
     check_drag(list, scene, rows);
-    check_forces(list, scene.check, rows);
+    check_forces(list, scene, rows);
     check_shedding(list, scene.check, rows);
+    check_plunge(list, scene, flow, rows);
     check_wall(list, scene, folder, flow);
   }
   check_free_space(list, scene, folder, blobs, flow, rows);

@@ -74,7 +74,7 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
   record.pressure_y = wake.pressure.y;
   record.friction_x = wake.friction.x;
   record.friction_y = wake.friction.y;
-  if (dot(p.flow.stream, p.flow.stream) > 0) {
+  if (dot(p.flow.stream, p.flow.stream) > 0 && p.flow.plunge.frequency == 0) {
     record.bubble_length = wake.bubble_length / flow.diameter;
     record.separation_deg = vortex::separation_angle(wake.wall_vorticity, *p.wall, p.flow.stream);
   }
@@ -85,15 +85,14 @@ Record History::with_forces(const Record& record, vortex::Vec2 by_impulse,
                             vortex::Vec2 by_wall) const {
   Record done = record;
   if (!flow_.problem.wall) return done;
-  const vortex::Vec2 s = flow_.problem.flow.stream;
-  const double size = std::hypot(s.x, s.y);
-  const vortex::Vec2 along = size > 0 ? (1 / size) * s : vortex::Vec2{1, 0};
-  const vortex::Vec2 across{-along.y, along.x};
+  const vortex::Vec2 along = flow_.along, across{-along.y, along.x};
   const double scale = 2 / (flow_.speed * flow_.speed * flow_.diameter);
-  done.cd_impulse = scale * dot(by_impulse, along);
-  done.cl_impulse = scale * dot(by_impulse, across);
-  done.cd_wall = scale * dot(by_wall, along);
-  done.cl_wall = scale * dot(by_wall, across);
+  const vortex::Vec2 displaced =
+      flow_.problem.wall->area() * flow_.problem.flow.plunge.acceleration(record.t);
+  done.cd_impulse = scale * dot(by_impulse + displaced, along);
+  done.cl_impulse = scale * dot(by_impulse + displaced, across);
+  done.cd_wall = scale * dot(by_wall + displaced, along);
+  done.cl_wall = scale * dot(by_wall + displaced, across);
   return done;
 }
 

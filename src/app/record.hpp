@@ -19,7 +19,7 @@ namespace vortree::app {
 /// second_moment  sum gamma (|X|^2 + sigma^2)
 /// cd_*, cl_*     drag and lift by the rate of change of impulse, and by the wall sheet (pressure)
 ///                with the wall vorticity (friction); 0 without a body
-/// bubble_length  in diameters; separation_deg from the rear
+/// bubble_length  in diameters; separation_deg from the rear; 0 where a body plunges
 /// quadrupole_*, separation, circulation_plus, plus_*   the form of free vorticity
 /// (vortex/form.hpp:
 ///                plus is the part that turns anticlockwise); 0 with a body
@@ -49,7 +49,8 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
 ///                               F by impulse = (P_{n+1} - P_{n-1})/(2 dt)
 ///                               F by the wall = (pressure of steps n and n+1)/2 + friction at t_n
 ///
-/// both O(dt^2); the last record of a run looks back instead.
+/// both O(dt^2); the last record of a run looks back instead. To a body that plunges both add its
+/// area times its acceleration, since they are forces in its own frame (vortex/plunge.hpp).
 class History {
  public:
   using Write = std::function<void(const Record&)>;

@@ -124,6 +124,7 @@ void Run::begin() {
 std::string difference(const io::Scene& a, const io::Scene& b) {
   if (a.flow != b.flow) return "[flow]";
   if (a.body != b.body) return "[body]";
+  if (a.plunge != b.plunge) return "[plunge]";
   if (a.diffusion != b.diffusion) return "[diffusion]";
   if (a.cores != b.cores) return "[cores]";
   if (a.splitting != b.splitting) return "[splitting]";
@@ -147,6 +148,7 @@ void Run::resume() {
                     file.string(), where, scene_.origin.path.string()));
   const io::Frame& frame = *found.last;
   step_ = saved_step_ = frame.step;
+  flow_.problem.time = time(step_);
   blobs_ = {frame.x, frame.y, frame.gamma, frame.sigma};
   history_.restore(frame.state.at("history"));
   const std::vector<double>& t = frame.state.at("totals");
@@ -217,6 +219,7 @@ void Run::advance() {
   if (const std::string reason = broken(blobs_, before.size(), flow_, time(step_)); !reason.empty())
     give_up(reason, std::move(before));
   flow_.problem.retired = wake.retired;
+  flow_.problem.time = time(step_);
   observe(wake);
   watch_.begin("output");
   if (step_ % steps_between_frames() == 0 || step_ == last_step()) save();
@@ -257,7 +260,7 @@ void Run::save() {
 void Run::save_wall() {
   if (step_ == 0) return;  // the wall vorticity of an impulsive start is infinite
   const double t = time(step_), T = 2 * flow_.speed * t / flow_.diameter;
-  const vortex::Vec2 s = flow_.problem.flow.stream;
+  const vortex::Vec2 s = flow_.along;
   for (std::size_t i = 0; i < flow_.wall->panels(); ++i) {
     const vortex::Vec2 c{scene_.body->centre[0], scene_.body->centre[1]};
     const vortex::Vec2 d = flow_.wall->middle(i) - c;

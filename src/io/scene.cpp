@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "io/files.hpp"
@@ -77,6 +78,30 @@ void check_initial(const Document& document, const SceneInitial& initial, double
   belongs("perturbation", initial.perturbation, kind == tripole);
 }
 
+/// The keys that a shape has.
+void check_body(const Document& document, const SceneBody& body) {
+  const auto belongs = [&](const char* key, const std::optional<double>& value, bool known,
+                           bool needed) {
+    if (value ? !known : needed)
+      document.refuse(value ? fmt::format("body.{}", key) : "body",
+                      fmt::format("body.shape is {}; that {} the key body.{}",
+                                  quote(word(body.shape)), value ? "does not have" : "needs", key));
+  };
+  const bool foil = body.shape == Shape::naca0012, ellipse = body.shape == Shape::ellipse;
+  belongs("radius", body.radius, !foil, !foil);
+  belongs("across", body.across, ellipse, ellipse);
+  belongs("chord", body.chord, foil, foil);
+  belongs("edge", body.edge, foil, false);
+}
+
+void check_plunge(const Document& document, const Scene& scene) {
+  if (!scene.body) document.refuse("plunge", "[plunge] is how a body moves; there is no [body]");
+  const auto [x, y] = scene.plunge->direction;
+  if (x == 0 && y == 0)
+    document.refuse("plunge.direction",
+                    "plunge.direction is [0, 0]; a direction was expected, as [0, 1]");
+}
+
 /// What several keys must fulfil together.
 void check_together(const Document& document, const Scene& scene) {
   const SceneCores& cores = scene.cores;
@@ -90,11 +115,6 @@ void check_together(const Document& document, const Scene& scene) {
                                             scene.time.end, scene.time.dt));
   }
   if (scene.initial) check_initial(document, *scene.initial, cores.sigma_0);
-  if (scene.body && scene.body->across.has_value() != (scene.body->shape == Shape::ellipse))
-    document.refuse(
-        scene.body->across ? "body.across" : "body",
-        fmt::format("body.shape is {}; that {} the key body.across", quote(word(scene.body->shape)),
-                    scene.body->across ? "does not have" : "needs"));
   if (scene.body && scene.diffusion.kind != DiffusionKind::core_spreading)
     document.refuse("diffusion.kind",
                     fmt::format("diffusion.kind is {}; beside a body vorticity diffuses by "
@@ -125,8 +145,8 @@ void check_together(const Document& document, const Scene& scene) {
 
 bool operator==(const Scene& a, const Scene& b) {
   const auto run = [](const Scene& s) {
-    return std::tie(s.title, s.seed, s.accuracy, s.flow, s.diffusion, s.body, s.cores, s.splitting,
-                    s.merging, s.initial, s.time, s.velocity, s.output, s.check);
+    return std::tie(s.title, s.seed, s.accuracy, s.flow, s.diffusion, s.body, s.plunge, s.cores,
+                    s.splitting, s.merging, s.initial, s.time, s.velocity, s.output, s.check);
   };
   return run(a) == run(b);
 }
@@ -136,6 +156,8 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path,
   const Document document(text, path, overrides);
   Scene scene = read_scene(document);
   scene.origin = {path, std::string(text), {overrides.begin(), overrides.end()}};
+  if (scene.body) check_body(document, *scene.body);
+  if (scene.plunge) check_plunge(document, scene);
   choose_missing(document, scene);
   if (scene.output.frames == 0) {
     scene.output.frames = std::max(scene.time.end / 14, scene.time.dt);
@@ -149,7 +171,37 @@ Scene load_scene(const std::filesystem::path& path, std::span<const std::string>
 }
 
 double length_of(const SceneBody& body) {
-  return 2 * body.radius;
+  return body.chord.value_or(2 * body.radius.value_or(0));
+}
+
+double perimeter_of(const SceneBody& body) {
+  return (body.shape == Shape::naca0012 ? 2.05 : std::numbers::pi) * length_of(body);
+}
+
+double edge_of(const SceneBody& body) {
+  return body.edge.value_or(0.005);
+}
+
+namespace {
+
+double stream_of(const Scene& scene) {
+  return std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
+}
+
+double fastest_plunge(const Scene& scene) {
+  if (!scene.plunge) return 0;
+  return 2 * std::numbers::pi * scene.plunge->frequency * scene.plunge->amplitude;
+}
+
+}  // namespace
+
+double speed_of(const Scene& scene) {
+  const double stream = stream_of(scene);
+  return stream > 0 ? stream : fastest_plunge(scene);
+}
+
+double fastest_of(const Scene& scene) {
+  return std::hypot(stream_of(scene), fastest_plunge(scene));
 }
 
 std::filesystem::path reference_path(const Scene& scene, std::string_view written) {

@@ -15,7 +15,7 @@ namespace vortree::io {
 
 using Vec2 = std::array<double, 2>;
 
-enum class Shape { circle, ellipse };
+enum class Shape { circle, ellipse, naca0012 };
 enum class InitialKind {
   lamb_oseen,
   gaussian_ellipse,
@@ -32,7 +32,8 @@ enum class PairCores { mean, source, both };
 enum class ExactAnswer { lamb_oseen, kirchhoff_ellipse, corotating_pair, dipole };
 
 /// Kinematic viscosity nu >= 0 [L^2/T] and the free stream [L/T]. reynolds = U D/nu gives nu by the
-/// body's size D and the stream's speed U; a loaded scene always has nu.
+/// body's size D and the stream's speed U (without one, the greatest of the plunge); a loaded scene
+/// always has nu.
 struct SceneFlow {
   double nu = 0;
   Vec2 stream{0, 0};
@@ -40,17 +41,27 @@ struct SceneFlow {
   bool operator==(const SceneFlow&) const = default;
 };
 
-/// A fixed body with `panels` wall elements; the scene has none in free space. An ellipse has the
-/// half axes radius and across, the first turned clockwise by `incidence` degrees from x. Twice the
-/// radius is the length that coefficients and the Reynolds number go by.
+/// A body with `panels` wall elements; the scene has none in free space. An ellipse has the half
+/// axes radius and across; NACA 0012 a chord, about whose middle it is centred, and a trailing edge
+/// rounded with the radius edge times chord (0.005 if not written; vortex/outline.hpp). Long axis
+/// and chord are turned clockwise by `incidence` degrees from x. Twice the radius, or the chord, is
+/// the length that coefficients and the Reynolds number go by.
 struct SceneBody {
   Shape shape = Shape::circle;
-  double radius = 0.5;
-  std::optional<double> across{};
+  std::optional<double> radius{}, across{}, chord{}, edge{};
   double incidence = 0;
   Vec2 centre{0, 0};
   int panels = 520;
   bool operator==(const SceneBody&) const = default;
+};
+
+/// The body moves without turning: X(t) = amplitude cos(2 pi frequency t) along a direction. All
+/// positions and velocities that a run writes are those in the frame of the body
+/// (vortex/plunge.hpp); forces are those that it feels.
+struct ScenePlunge {
+  double amplitude = 0, frequency = 0;
+  Vec2 direction{0, 1};
+  bool operator==(const ScenePlunge&) const = default;
 };
 
 /// sigma_0: core of a blob released at the wall, or of an initial blob. A blob wider than sigma_max
@@ -135,6 +146,7 @@ struct SceneOutput {
 /// *_max, *_rms   largest and root-mean-square deviation allowed. Relative for drag, bubble
 ///                length, vorticity, velocity, moments, wall vorticity and routes (one drag route
 ///                against the other); lift_max is a coefficient, blobs_max a count
+///                (of a body that plunges, relative to the largest drag)
 /// lift_routes_max  one lift route against the other, relative to the largest lift
 /// *_from         only for T >= this
 /// exact          the answer known by heart that vorticity_max and velocity_max (lamb_oseen),
@@ -144,7 +156,12 @@ struct SceneOutput {
 /// quadrupole_max, separation_max  off moments_reference, relative to its largest
 /// strouhal, mean_drag  of a cylinder that sheds vortices, from T = shedding_from on: the highest
 ///                peak of the lift's spectrum times D/U, and the mean of the drag by impulse; the
-///                first may be off by strouhal_max relative, the second by mean_drag_max
+///                first may be off by strouhal_max relative, the second by mean_drag_max; so of
+///                mean_lift
+/// morison_drag, morison_mass  of a body that plunges in fluid at rest, over the whole periods from
+///                plunge_from on (app/plunge_checks.hpp); relative
+/// theodorsen_max what the lift at the plunge's frequency differs from that of a flat plate
+///                (exact/theodorsen.hpp), relative
 /// energy_max     what the energy differs from that at the start and what viscosity took, relative
 /// *_reference    files as written, relative to the folder of the scene: see reference_path
 struct SceneCheck {
@@ -164,7 +181,10 @@ struct SceneCheck {
   std::optional<double> rotation_max{}, speed_max{}, merger_max{}, energy_max{};
   std::optional<double> strouhal{}, strouhal_max{};
   std::optional<double> mean_drag{}, mean_drag_max{};
+  std::optional<double> mean_lift{}, mean_lift_max{};
   std::optional<double> shedding_from{};
+  std::optional<double> morison_drag{}, morison_drag_max{}, morison_mass{}, morison_mass_max{};
+  std::optional<double> theodorsen_max{}, plunge_from{};
   std::optional<double> blobs_max{};
   bool operator==(const SceneCheck&) const = default;
 };
@@ -192,6 +212,7 @@ struct Scene {
   SceneFlow flow{};
   SceneDiffusion diffusion{};
   std::optional<SceneBody> body{};
+  std::optional<ScenePlunge> plunge{};
   SceneCores cores{};
   SceneSplitting splitting{};
   SceneMerging merging{};
@@ -229,8 +250,22 @@ bool operator==(const Scene&, const Scene&);
 /// Where a reference file of [check] lies: relative to the folder of the scene file.
 [[nodiscard]] std::filesystem::path reference_path(const Scene&, std::string_view written);
 
-/// The size of a body that coefficients and the Reynolds number go by: twice its radius.
+/// The size of a body that coefficients and the Reynolds number go by: twice its radius, or its
+/// chord.
 [[nodiscard]] double length_of(const SceneBody&);
+
+/// Its perimeter, or a little more.
+[[nodiscard]] double perimeter_of(const SceneBody&);
+
+/// The radius of NACA 0012's trailing edge, as a share of the chord.
+[[nodiscard]] double edge_of(const SceneBody&);
+
+/// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
+/// greatest of the plunge; 0 without both.
+[[nodiscard]] double speed_of(const Scene&);
+
+/// The fastest that a body and its stream meet, or a little more.
+[[nodiscard]] double fastest_of(const Scene&);
 
 /// The words of the TOML file: "rk2", "boxes", "reverse", ...
 [[nodiscard]] std::string_view word(Shape);

@@ -20,10 +20,11 @@ void choose_viscosity(const Document& document, Scene& scene) {
     if (!given) document.refuse("flow", "[flow] needs the key nu");
     return;
   }
-  const double speed = std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
+  const double speed = speed_of(scene);
   if (!scene.body || speed == 0)
     document.refuse("flow.reynolds",
-                    fmt::format("flow.reynolds is {}; that needs [body] and a flow.stream",
+                    fmt::format("flow.reynolds is {}; that needs [body] and a flow.stream or a "
+                                "[plunge]",
                                 *scene.flow.reynolds));
   const double nu = speed * length_of(*scene.body) / *scene.flow.reynolds;
   if (given && std::abs(scene.flow.nu / nu - 1) > 1e-6)
@@ -41,21 +42,26 @@ struct Choice {
 };
 
 Choice past_body(const Scene& scene, double e) {
-  const double speed = std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
+  const double speed = fastest_of(scene);
   const double length = length_of(*scene.body), nu = scene.flow.nu;
   const double reynolds = speed * length / nu;
   Choice c{};
   // A scene that sets its own step has the cores that go with it.
-  c.dt = scene.time.dt > 0 ? scene.time.dt
-                           : std::min(2 * e, 0.02 * std::sqrt(550 / reynolds)) * length / speed;
+  const double period = scene.plunge ? 1 / scene.plunge->frequency : INFINITY;
+  c.dt = scene.time.dt > 0
+             ? scene.time.dt
+             : std::min(std::min(2 * e, 0.02 * std::sqrt(550 / reynolds)) * length / speed,
+                        period / 100);
   c.sigma_max = std::max(4 * std::sqrt(e * nu * length / speed), std::sqrt(4 * nu * c.dt));
   c.sigma_0 = std::min(std::sqrt(nu * c.dt), c.sigma_max);
   c.merging = 0.4 * std::sqrt(e) * speed;
   c.reach = 3;
   c.cap = 1.2;
   c.velocity = std::clamp(e / 1000, 1e-12, 1e-3);
-  const double perimeter = std::numbers::pi * length;
-  c.panels = static_cast<int>(std::clamp(perimeter / (1.42 * c.sigma_0), 128.0, 4000.0));
+  double panel = 1.42 * c.sigma_0;
+  if (scene.body->shape == Shape::naca0012)
+    panel = std::min(panel, 0.7 * edge_of(*scene.body) * length);
+  c.panels = static_cast<int>(std::clamp(perimeter_of(*scene.body) / panel, 128.0, 4000.0));
   return c;
 }
 
@@ -78,10 +84,9 @@ Choice free_vortex(const Scene& scene, double e) {
 
 void choose_missing(const Document& document, Scene& scene) {
   choose_viscosity(document, scene);
-  const bool stream = scene.flow.stream[0] != 0 || scene.flow.stream[1] != 0;
-  if (scene.accuracy && ((scene.body && stream && scene.flow.nu > 0) || scene.initial)) {
+  const bool body = scene.body && speed_of(scene) > 0;
+  if (scene.accuracy && ((body && scene.flow.nu > 0) || scene.initial)) {
     const double e = *scene.accuracy;
-    const bool body = scene.body && stream;
     const Choice c = body ? past_body(scene, e) : free_vortex(scene, e);
     const auto fill = [&](std::string_view table, std::string_view key, auto& target,
                           const auto& value) {

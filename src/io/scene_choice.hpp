@@ -8,13 +8,16 @@ namespace vortree::io {
 /// Fills in what a scene leaves out: viscosity from flow.reynolds, and from `accuracy` whatever of
 /// cores, time step, merging, velocity tolerance and panels is not written.
 ///
-/// With a body of diameter D in a stream U, accuracy e the drag's relative error (measured at
+/// With a body of diameter D in a stream U (sqrt(U^2 + V^2) for one that plunges with speeds up to
+/// V), accuracy e the drag's relative error (measured at
 /// Re = 550, where it is set by the cores):
 ///
 ///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer,
 ///                                           not below the sqrt(4 nu dt) that a step adds
 ///   dt        = min(2 e, 0.02 sqrt(550/Re)) D/U     the wall's vorticity turns less than 1 rad
-///   sigma_0   = sqrt(nu dt)                 panels: 1.42 sigma_0 long, 128 to 4000 of them
+///                                           and a plunge has 100 steps a period
+///   sigma_0   = sqrt(nu dt)                 panels: 1.42 sigma_0 long, 0.7 of the radius of a
+///                                           trailing edge at most, 128 to 4000 of them
 ///   merging.tolerance = 0.4 sqrt(e) U,  merging.reach = 3,  merging.cap = 1.2
 ///   velocity.tolerance = e/1000
 ///

@@ -42,7 +42,7 @@ constexpr Rule required(Rule rule) {
 template <class E>
 inline constexpr std::array<std::string_view, 0> words_of{};
 template <>
-inline constexpr std::array<std::string_view, 2> words_of<Shape>{"circle", "ellipse"};
+inline constexpr std::array<std::string_view, 3> words_of<Shape>{"circle", "ellipse", "naca0012"};
 template <>
 inline constexpr std::array<std::string_view, 6> words_of<InitialKind>{
     "lamb_oseen", "gaussian_ellipse", "kirchhoff_ellipse", "corotating_pair", "dipole", "tripole"};
@@ -80,12 +80,21 @@ void walk(S& diffusion, Visit& key) {
 template <Either<SceneBody> S, class Visit>
 void walk(S& body, Visit& key) {
   key("shape", body.shape, anything);
-  key("radius", body.radius, required(positive));
+  key("radius", body.radius, positive);
   key("across", body.across, positive);
+  key("chord", body.chord, positive);
+  key("edge", body.edge, Rule{.low = 1e-4, .high = 0.02, .words = "it must lie in 1e-4 .. 0.02"});
   key("incidence", body.incidence,
       Rule{.low = -180, .high = 180, .words = "it must lie in -180 .. 180 degrees"});
   key("centre", body.centre, anything);
   key("panels", body.panels, Rule{.low = 8, .words = "a body needs at least 8 panels"});
+}
+
+template <Either<ScenePlunge> S, class Visit>
+void walk(S& plunge, Visit& key) {
+  key("amplitude", plunge.amplitude, required(positive));
+  key("frequency", plunge.frequency, required(positive));
+  key("direction", plunge.direction, anything);
 }
 
 template <Either<SceneCores> S, class Visit>
@@ -193,7 +202,15 @@ void walk(S& check, Visit& key) {
   key("strouhal_max", check.strouhal_max, positive);
   key("mean_drag", check.mean_drag, positive);
   key("mean_drag_max", check.mean_drag_max, positive);
+  key("mean_lift", check.mean_lift, anything);
+  key("mean_lift_max", check.mean_lift_max, positive);
   key("shedding_from", check.shedding_from, not_negative);
+  key("morison_drag", check.morison_drag, positive);
+  key("morison_drag_max", check.morison_drag_max, positive);
+  key("morison_mass", check.morison_mass, positive);
+  key("morison_mass_max", check.morison_mass_max, positive);
+  key("theodorsen_max", check.theodorsen_max, positive);
+  key("plunge_from", check.plunge_from, not_negative);
   key("blobs_max", check.blobs_max, positive);
 }
 
@@ -207,6 +224,7 @@ void walk(S& scene, Visit& visit) {
         Rule{.low = 0, .high = 1, .above_low = true, .words = "it must lie between 0 and 1"});
   visit.table("flow", scene.flow, true);
   visit.table("body", scene.body, false);
+  visit.table("plunge", scene.plunge, false);
   visit.table("diffusion", scene.diffusion, false);
   visit.table("cores", scene.cores, false);
   visit.table("splitting", scene.splitting, false);

@@ -31,16 +31,18 @@ void convect(Blobs& blobs, const Carrying& velocity, const Shape* wall, Scheme s
   const auto moved = [&](const Velocities& u, double h) {
     return carried(blobs, from, u, wall, h);
   };
-  const auto at = [&](const Blobs& stage) { return velocity(stage, acting(stage, wall)); };
+  const auto at = [&](const Blobs& stage, double h) {
+    return velocity(stage, acting(stage, wall), h);
+  };
 
-  const Velocities k1 = velocity(blobs, from);
-  const Velocities k2 = at(moved(k1, dt / 2));
+  const Velocities k1 = velocity(blobs, from, 0);
+  const Velocities k2 = at(moved(k1, dt / 2), dt / 2);
   if (scheme == Scheme::rk2) {
     blobs = moved(k2, dt);
     return;
   }
-  const Velocities k3 = at(moved(k2, dt / 2));
-  const Velocities k4 = at(moved(k3, dt));
+  const Velocities k3 = at(moved(k2, dt / 2), dt / 2);
+  const Velocities k4 = at(moved(k3, dt), dt);
   Velocities mean(blobs.size());
   add(mean, 1.0 / 6, k1);
   add(mean, 1.0 / 3, k2);

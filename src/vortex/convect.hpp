@@ -10,8 +10,9 @@ namespace vortree::vortex {
 /// Order of the time integration: midpoint rule, or the classical Runge-Kutta method.
 enum class Scheme { rk2, rk4 };
 
-/// The velocity with which blobs are carried, at their acting positions.
-using Carrying = std::function<Velocities(const Blobs& blobs, const Acting& acting)>;
+/// The velocity with which blobs are carried, at their acting positions, so long after the
+/// beginning of the step.
+using Carrying = std::function<Velocities(const Blobs& blobs, const Acting& acting, double after)>;
 
 /// Moves blobs for a time dt.
 ///

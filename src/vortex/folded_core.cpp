@@ -52,10 +52,10 @@ Profile profile(double q) {
 Core place(double m, double s, double kappa) {
   if (!applies(m, s)) return {m, s};
   m = std::max(m, thinnest * s * inverse_sqrt_pi);
-  const double bend = kappa * s / 8;                    // of s
+  const double bend = folded::bend(s, kappa);
   const double on_wall = s * (inverse_sqrt_pi - bend);  // mean distance of a centre on the wall
   if (m <= on_wall) {
-    // m = s'/sqrt(pi) - kappa s'^2/8, the smaller root.
+    // m = s'/sqrt(pi) - kappa s'^2/8, the smaller root; past the sharpest edge m = s'/(2 sqrt(pi)).
     const double a = inverse_sqrt_pi;
     return {0, std::min(s, 2 * m / (a + std::sqrt(std::max(a * a - kappa * m / 2, 0.0))))};
   }

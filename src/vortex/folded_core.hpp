@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace vortree::vortex {
@@ -15,8 +16,10 @@ namespace vortree::vortex {
 ///   variance across    v_n = s^2/2 + y^2 - m^2              (the s^2/2 of a free core, far away)
 ///   wall vorticity     omega(x_w) = 2 gamma/(pi s^2) exp(-|x - x_w|^2/s^2)
 ///
-/// where kappa is the curvature of the wall (first order; convex > 0) [1/m]. A blob acts, and is
-/// moved, at its mean; further than `reach` cores from the wall it is a free blob.
+/// where kappa is the curvature of the wall (first order; convex > 0) [1/m]; of an edge sharper
+/// than a core it counts as 4/(sqrt(pi) s), which halves the mean distance of a core on the wall,
+/// and no more. A blob acts, and is moved, at its mean; further than `reach` cores from the wall it
+/// is a free blob.
 namespace folded {
 
 constexpr double reach = 4;  // cores; erfc(4) = 1.5e-8
@@ -35,10 +38,15 @@ struct Profile {
 };
 Profile profile(double q);
 
+/// What a curved wall takes from the mean distance of a core on it, in cores.
+inline double bend(double s, double kappa) {
+  return std::min(kappa * s / 8, inverse_sqrt_pi / 2);
+}
+
 inline double mean_distance(double y, double s, double kappa) {
   if (!applies(y, s)) return y;
   const Profile at = profile(y / s);
-  return s * at.mean - kappa * s * s / 8 * (1 - at.erf);
+  return s * (at.mean - bend(s, kappa) * (1 - at.erf));
 }
 
 inline double variance_across(double y, double s, double m) {

@@ -13,8 +13,8 @@ namespace vortree::vortex {
 std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> sheet,
                                    const Wall& wall, double nu, double dt);
 
-/// Pressure force of the fluid on a body at rest, per unit density [m^3/s^2], from the sheet that
-/// one step of dt had to release:
+/// Pressure force of the fluid on a body at rest (or in its frame, plunge.hpp), per unit density
+/// [m^3/s^2], from the sheet that one step of dt had to release:
 ///
 ///   dp/ds = -gamma/dt,   F = -int p n ds = (-sum gamma b y, sum gamma b x)/dt
 ///

@@ -13,7 +13,8 @@ struct Box {
   }
 };
 
-/// The account of what has left: sum gamma and sum gamma x, which goes on with the stream,
+/// The account of what has left: sum gamma and sum gamma x, which goes on with the stream (as the
+/// body sees it),
 ///
 ///   d moment/dt = gamma stream.
 ///
@@ -25,7 +26,7 @@ struct Retired {
   double gamma = 0;
   Vec2 moment;
 
-  void drift(Vec2 stream, double dt) { moment = moment + (gamma * dt) * stream; }
+  void drift(Vec2 way) { moment = moment + gamma * way; }
   friend Retired operator+(const Retired& a, const Retired& b) {
     return {a.gamma + b.gamma, a.moment + b.moment};
   }

@@ -30,7 +30,7 @@ fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
 }
 
 /// Velocity of the blobs at their acting positions, with stream and wall.
-Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
+Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2 stream) {
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
   Acting carrying = at;
@@ -38,9 +38,9 @@ Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p) {
     for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
   p.velocity->upon_itself_and(as_sources(blobs, carrying),
                               p.wall ? p.wall->samples() : tree::Points{}, u, at_samples);
-  add_stream(u, p.flow.stream);
+  add_stream(u, stream);
   if (p.wall) {
-    const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
+    const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
     const auto sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
     p.wall->add_velocity(sheet, *p.velocity, {at.x, at.y}, u);
   }
@@ -55,13 +55,14 @@ struct AtRest {
 
 /// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
 /// blobs and sheet together.
-AtRest with_sheet(tree::Points points, const Blobs& blobs, const Acting& at, const Problem& p) {
+AtRest with_sheet(tree::Points points, const Blobs& blobs, const Acting& at, const Problem& p,
+                  Vec2 stream) {
   AtRest result{{}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
   p.velocity->upon_both(as_sources(blobs, at), p.wall->samples(), at_samples, points, result.u);
-  const auto slip = p.wall->slip(p.flow.stream, at_samples, at, blobs.gamma);
+  const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
   result.sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
-  add_stream(result.u, p.flow.stream);
+  add_stream(result.u, stream);
   p.wall->add_velocity(result.sheet, *p.velocity, points, result.u);
   return result;
 }
@@ -71,12 +72,12 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
     blobs.append(wall.middle(i), sheet[i] * wall.panel_length(), core);
 }
 
-Wake cancel_slip(Blobs& blobs, const Problem& p, double core) {
+Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   const Acting at = acting(blobs, &p.wall->shape());
   Wake wake;
   const WakeLine line =
       dot(p.flow.stream, p.flow.stream) > 0 ? wake_line(*p.wall, p.flow.stream) : WakeLine{};
-  AtRest at_rest = with_sheet(line.points(), blobs, at, p);
+  AtRest at_rest = with_sheet(line.points(), blobs, at, p, p.flow.stream_at(time));
   wake.sheet = std::move(at_rest.sheet);
   wake.bubble_length = bubble_length(line, at_rest.u);
   wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.retired.moment;
@@ -102,7 +103,7 @@ void diffuse(Blobs& blobs, const Problem& p, std::uint64_t number) {
 Wake start(Blobs& blobs, const Problem& p) {
   // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
   // step.
-  return p.wall ? cancel_slip(blobs, p, std::sqrt(0.02 * 4 * p.flow.nu * p.dt)) : Wake{};
+  return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * p.dt)) : Wake{};
 }
 
 Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& phase) {
@@ -110,12 +111,15 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
   Wake wake;
   phase("convect");
   convect(
-      blobs, [&](const Blobs& b, const Acting& at) { return carrying(b, at, p); }, shape, p.scheme,
-      p.dt);
+      blobs,
+      [&](const Blobs& b, const Acting& at, double after) {
+        return carrying(b, at, p, p.flow.stream_at(p.time + after));
+      },
+      shape, p.scheme, p.dt);
   if (p.flow.nu > 0) diffuse(blobs, p, number);
   if (p.wall) {
     phase("wall");
-    wake = cancel_slip(blobs, p, p.sigma_0);
+    wake = cancel_slip(blobs, p, p.time + p.dt, p.sigma_0);
   }
   if (p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading) {
     phase("split");
@@ -127,16 +131,17 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
   wake.retired = p.retired;
   if (p.box) wake.retired = wake.retired + retire(blobs, *p.box);
   if (p.faintest > 0) wake.retired = wake.retired + retire(blobs, p.faintest);
-  wake.retired.drift(p.flow.stream, p.dt);
+  wake.retired.drift(p.flow.way(p.time, p.dt));
   return wake;
 }
 
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p) {
   const Acting at = acting(blobs, p.wall ? &p.wall->shape() : nullptr);
-  if (p.wall) return with_sheet(points, blobs, at, p).u;
+  const Vec2 stream = p.flow.stream_at(p.time);
+  if (p.wall) return with_sheet(points, blobs, at, p, stream).u;
   Velocities u(points.size());
   p.velocity->upon(as_sources(blobs, at), points, u);
-  add_stream(u, p.flow.stream);
+  add_stream(u, stream);
   return u;
 }
 

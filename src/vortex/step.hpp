@@ -7,6 +7,7 @@
 #include "vortex/convect.hpp"
 #include "vortex/invariants.hpp"
 #include "vortex/merge_close.hpp"
+#include "vortex/plunge.hpp"
 #include "vortex/retire.hpp"
 #include "vortex/split_wide.hpp"
 #include "vortex/wall.hpp"
@@ -14,9 +15,17 @@
 namespace vortree::vortex {
 
 /// stream  undisturbed velocity [m/s]; nu viscosity [m^2/s], 0: no diffusion, splitting or merging
+/// plunge  of the body, in whose frame all is computed: positions, velocities, impulse
 struct Flow {
   Vec2 stream;
   double nu;
+  Plunge plunge{};
+
+  /// The stream as the body sees it, and how far that goes in a time dt.
+  Vec2 stream_at(double t) const { return stream - plunge.velocity(t); }
+  Vec2 way(double t, double dt) const {
+    return dt * stream + plunge.place(t) - plunge.place(t + dt);
+  }
 };
 
 /// How vorticity diffuses: wider cores that split and merge; blobs that walk at random
@@ -26,6 +35,7 @@ enum class Diffusion { core_spreading, random_walk, particle_exchange };
 
 /// What a step needs to know, besides the blobs.
 ///
+/// time      when the step begins; for velocity_at, now [s]
 /// box       blobs that leave it are retired; so are those of no more circulation than `faintest`
 ///           [m^2/s], 0: none; `retired` all that have left in the steps before
 /// wall      nullptr: free space
@@ -37,6 +47,7 @@ enum class Diffusion { core_spreading, random_walk, particle_exchange };
 struct Problem {
   Flow flow;
   double dt;
+  double time = 0;
   Scheme scheme = Scheme::rk2;
   double carrying_cores = 1;
   double sigma_0;
@@ -57,7 +68,8 @@ struct Problem {
 /// moment          sum gamma X of blobs, sheet and what has left, before the release; forces
 ///                 are its rate of change
 /// wall_vorticity  a value a panel [1/s]
-/// pressure        force on the body during the step, per unit density [m^3/s^2]
+/// pressure        force on the body during the step, in its own frame, per unit density
+///                 [m^3/s^2] (plunge.hpp)
 /// friction        the same, at the end of the step
 /// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
 /// retired         all that has left the box, to be handed to the next step

@@ -136,6 +136,13 @@ void Wall::add_velocity(std::span<const double> sheet, const Velocity& velocity,
   }
 }
 
+double Wall::area() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < panels(); ++i)
+    sum += 0.5 * length_ * (middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x);
+  return sum;
+}
+
 Vec2 Wall::first_moment(std::span<const double> sheet) const {
   Vec2 sum;
   for (std::size_t i = 0; i < sheet.size(); ++i) sum = sum + (sheet[i] * length_) * middle_[i];

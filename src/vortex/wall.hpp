@@ -54,6 +54,9 @@ class Wall {
   void add_velocity(std::span<const double> sheet, const Velocity& velocity, tree::Points targets,
                     Velocities& u) const;
 
+  /// Of the body [m^2].
+  double area() const;
+
   /// sum of gamma b x over the panels.
   Vec2 first_moment(std::span<const double> sheet) const;
 

@@ -100,6 +100,43 @@ TEST_CASE("a run that is interrupted and resumed ends as one that never was, bit
   CHECK(shell("/usr/bin/python3 same_run.py broken whole", folder).out == "True\n");
 }
 
+TEST_CASE("the run of a body that plunges, resumed, ends as one that never stopped, bit for bit") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("foil.toml", R"(
+[flow]
+nu = 0.02
+stream = [1.0, 0.0]
+[body]
+shape = "naca0012"
+chord = 1.0
+panels = 200
+[plunge]
+amplitude = 0.1
+frequency = 1.0
+[cores]
+sigma_0 = 0.02
+sigma_max = 0.1
+[merging]
+box = [-1.0, -1.0, 0.6, 1.0]
+[time]
+dt = 0.02
+end = 0.4
+[velocity]
+tolerance = 1e-4
+[output]
+frames = 1e9
+)");
+  folder.write("same_run.py", same_run);
+  CHECK(call("run foil.toml --out halved time.end=0.2", folder).code == 0);
+  const auto resumed = call("run foil.toml --out halved --resume", folder);
+  CAPTURE(resumed.err);
+  CHECK(resumed.code == 0);
+  CHECK(call("run foil.toml --out whole", folder).code == 0);
+  CHECK(shell("/usr/bin/python3 same_run.py halved whole", folder).out == "True\n");
+  CHECK(call("run foil.toml --out halved --resume plunge.amplitude=0.2", folder).code == 2);
+}
+
 TEST_CASE("a run that cannot begin is refused with one line and 2") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);

@@ -300,11 +300,52 @@ TEST_CASE("an accuracy chooses what is not written, and only that") {
 
 TEST_CASE("a Reynolds number needs a body and a stream, and no other viscosity beside it") {
   CHECK(refused(with("nu = 1e-3", "reynolds = 10")) ==
-        "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream");
+        "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream "
+        "or a [plunge]");
   CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nstream = [1, 0]\nreynolds = 10") +
                      "[body]\nradius = 0.5"),
              StartsWith("cases/ring.toml:5: flow.reynolds is 10, which makes flow.nu 0.1, but that "
                         "is 0.001"));
+}
+
+TEST_CASE("a body has the keys of its shape, and no others") {
+  const auto body = [](const std::string& lines) { return refused(plain + "[body]\n" + lines); };
+  CHECK(body("shape = \"ellipse\"\nradius = 1") ==
+        "cases/ring.toml:17: body.shape is \"ellipse\"; that needs the key body.across");
+  CHECK(body("shape = \"naca0012\"\nradius = 1") ==
+        "cases/ring.toml:19: body.shape is \"naca0012\"; that does not have the key body.radius");
+  CHECK(body("shape = \"naca0012\"") ==
+        "cases/ring.toml:17: body.shape is \"naca0012\"; that needs the key body.chord");
+  CHECK(body("radius = 1\nedge = 0.01") ==
+        "cases/ring.toml:19: body.shape is \"circle\"; that does not have the key body.edge");
+  CHECK(body("shape = \"naca0012\"\nchord = 1\nedge = 0.1") ==
+        "cases/ring.toml:20: body.edge is 0.1; it must lie in 1e-4 .. 0.02");
+  const Scene foil = parse(plain + "[body]\nshape = \"naca0012\"\nchord = 3");
+  CHECK(length_of(*foil.body) == 3);
+  CHECK(edge_of(*foil.body) == 0.005);
+  CHECK(parse(resolved(foil)) == foil);
+}
+
+TEST_CASE("a plunge needs a body and a direction; its speed serves where there is no stream") {
+  const std::string body = "[body]\nradius = 0.5\n";
+  const std::string plunge = "[plunge]\namplitude = 0.2\nfrequency = 3\n";
+  CHECK(refused(plain + plunge) ==
+        "cases/ring.toml:17: [plunge] is how a body moves; there is no [body]");
+  CHECK(refused(plain + body + plunge + "direction = [0, 0]") ==
+        "cases/ring.toml:22: plunge.direction is [0, 0]; a direction was expected, as [0, 1]");
+  CHECK(refused(plain + body + "[plunge]\namplitude = 1") ==
+        "cases/ring.toml:19: [plunge] needs the key frequency");
+  CHECK(refused(plain + body + "[plunge]\namplitude = -1\nfrequency = 1") ==
+        "cases/ring.toml:20: plunge.amplitude is -1; it must be > 0");
+  const double fastest = 2 * 3.14159265358979 * 0.2 * 3;
+  const Scene rest = parse(with("nu = 1e-3", "reynolds = 10") + body + plunge);
+  CHECK(speed_of(rest) == Approx(fastest));
+  CHECK(rest.flow.nu == Approx(fastest / 10));
+  CHECK(parse(resolved(rest)) == rest);
+  const Scene stream = parse(with("nu = 1e-3", "reynolds = 10\nstream = [3, 4]") + body + plunge);
+  CHECK(speed_of(stream) == Approx(5));
+  CHECK(fastest_of(stream) == Approx(std::hypot(5, fastest)));
+  CHECK(stream.flow.nu == Approx(0.5));
 }
 
 TEST_CASE("beside a body vorticity diffuses by core spreading only") {
@@ -345,7 +386,8 @@ TEST_CASE("a wrong override is refused as it was typed") {
       "you mean nu?");
   CHECK_THAT(typed("flw.nu=1"), StartsWith("command line: flw.nu=1: [flw] is not a table of a "));
   CHECK_THAT(typed("a.b.c=1"), StartsWith("command line: a.b.c=1: [a] is not a table of a scene"));
-  CHECK(typed("body.panels=20") == "command line: body.panels=20: [body] needs the key radius");
+  CHECK(typed("body.panels=20") ==
+        "command line: body.panels=20: body.shape is \"circle\"; that needs the key body.radius");
   CHECK(typed("flow=3") == "command line: flow=3: flow is an integer; a table was expected");
   CHECK(typed("title.x=3") == "cases/ring.toml:1: title is a string; a table was expected");
   CHECK(typed("time.end=0.001") ==
