@@ -11,6 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "app/places.hpp"
 #include "io/input_error.hpp"
@@ -38,24 +39,46 @@ std::string last_line(std::string text) {
   return text.substr(text.rfind('\n') + 1);
 }
 
-// Exit code of the script, and what it wrote on standard error.
+// Runs the scripts one after another as if each were called alone: python SCRIPT FOLDER. Python and
+// matplotlib take longer to begin than most figures to draw.
+constexpr const char* runner = R"(
+import os, runpy, sys, traceback
+folder, *scripts = sys.argv[1:]
+for script in scripts:
+    sys.argv = [script, folder]
+    sys.path[0] = os.path.dirname(script)
+    try:
+        runpy.run_path(script, run_name="__main__")
+    except SystemExit as end:
+        if end.code:
+            sys.exit(f"{script}: {end.code}")
+    except Exception as error:
+        traceback.print_exc()
+        sys.exit(f"{script}: {type(error).__name__}: {error}")
+    sys.stdout.flush()
+)";
+
+// Exit code of the scripts, and what they wrote on standard error.
 struct Outcome {
   int status;
   std::string errors;
 };
 
-Outcome run_script(const fs::path& script, const fs::path& folder) {
+Outcome run_scripts(const std::vector<fs::path>& scripts, const fs::path& folder) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     throw std::runtime_error(fmt::format("pipe: {}", std::strerror(errno)));
-  std::string words[] = {python, script.string(), folder.string()};
-  char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
+  std::vector<std::string> words{python, "-c", runner, folder.string()};
+  for (const fs::path& script : scripts) words.push_back(script.string());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
   pid_t child = 0;
-  const int refused = posix_spawn(&child, python, &actions, nullptr, arguments, environ);
+  const int refused = posix_spawn(&child, python, &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
   if (refused) {
@@ -75,12 +98,13 @@ void plot(const fs::path& folder, std::string_view kind) {
     throw io::InputError(fmt::format("{}: no such folder", folder.string()));
   setenv("MPLBACKEND", "Agg", 1);
   setenv("PYTHONDONTWRITEBYTECODE", "1", 1);
-  for (const auto& script : plot_scripts()) {
-    if (!script.filename().string().starts_with(kind)) continue;
-    const auto [status, errors] = run_script(script, folder);
-    if (status != 0)
-      throw std::runtime_error(fmt::format("{}: {}", script.string(), last_line(errors)));
-  }
+  std::vector<fs::path> scripts = plot_scripts();
+  std::erase_if(scripts, [&](const fs::path& script) {
+    return !script.filename().string().starts_with(kind);
+  });
+  if (scripts.empty()) return;
+  const auto [status, errors] = run_scripts(scripts, folder);
+  if (status != 0) throw std::runtime_error(last_line(errors));
 }
 
 }  // namespace vortree::app

@@ -345,12 +345,11 @@ RunResult Run::finish() {
   const std::vector<Verdict> list = verdicts(scene_, folder_, blobs_, flow_);
   const io::Json json = summary(list);
   io::write_json(folder_ / "summary.json", json);
-  if (figures_) plot(folder_);
   const double seconds = totals_.seconds + watch_.elapsed();
+  if (figures_) plot(folder_);
   fmt::print(
-      "{} steps, {} blobs at the end, {:.1f} s{}, {:.2f} million particle-steps/s; results in {}\n",
-      step_, blobs_.size(), seconds, figures_ ? " with figures" : "",
-      totals_.particle_steps / seconds / 1e6, folder_.string());
+      "{} steps, {} blobs at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",
+      step_, blobs_.size(), seconds, totals_.particle_steps / seconds / 1e6, folder_.string());
   fmt::print("{}\n", verdict_line(list));
   return {.finished = true,
           .verdicts = list,
