@@ -201,10 +201,9 @@ void Full::velocity(std::span<double> u, std::span<double> v) const {
   const auto order = tree_.order();
 #pragma omp parallel
   {
-    Scratch scratch{
-        {tree_, lists_, leaves_, coarse(options_)},
-        {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)},
-        {}};
+    Scratch scratch{{tree_, lists_, leaves_, coarse(options_)},
+                    {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)},
+                    {}};
 #pragma omp for schedule(dynamic)
     for (std::size_t s = 0; s < slabs_.size(); ++s) {
       const tree::Range slab = slabs_[s], places = leaves_.places(slab);

@@ -9,7 +9,7 @@ namespace {
 
 // Squared extent over the least S, for single precision; where no core shows.
 constexpr double widest_frame2 = 256.0, widest_bare_frame2 = 4096.0;
-constexpr double widest_core = 1e12;     // largest over least S, likewise
+constexpr double widest_core = 1e12;  // largest over least S, likewise
 
 /// `use(weight)` with what sums pairs with cores.
 template <class Use>

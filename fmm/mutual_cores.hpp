@@ -18,9 +18,9 @@ namespace vortree::fmm {
 /// single precision: coordinates are taken from the middle of the cell, in lengths of its smallest
 /// core. An error of 2^-24 of the extent there moves a vortex of core S by that much of its largest
 /// velocity over sqrt(S), so cores must be wide, extent^2 <= 256 S, for an error of 2^-24 times a
-/// few, relative to the sum of |gamma_j| / sqrt(S_j). Where no core shows, at distances r of several
-/// sqrt(S), the same error of place changes a velocity by extent/r of 2^-24 only: there extents may
-/// be four times as large.
+/// few, relative to the sum of |gamma_j| / sqrt(S_j). Where no core shows, at distances r of
+/// several sqrt(S), the same error of place changes a velocity by extent/r of 2^-24 only: there
+/// extents may be four times as large.
 class MutualCores {
  public:
   /// reach2   a core S shows up to a gap of sqrt(reach2 S)

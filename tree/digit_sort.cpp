@@ -55,8 +55,8 @@ void part(std::span<const std::uint64_t> from, Digit digit, std::span<std::uint6
 
 }  // namespace
 
-void digit_sort(Passing<std::uint64_t>& numbers, int low, int high) {
-  Passing<std::uint64_t> spare(numbers.size());
+void digit_sort(Unwritten<std::uint64_t>& numbers, int low, int high) {
+  Unwritten<std::uint64_t> spare(numbers.size());
   const int most = most_bits(numbers.size());
   for (int digits = (high - low + most - 1) / most; digits > 0; --digits) {
     const int bits = (high - low + digits - 1) / digits;

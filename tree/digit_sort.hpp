@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "tree/passing.hpp"
+#include "tree/memory.hpp"
 
 namespace vortree::tree {
 
@@ -11,8 +11,8 @@ namespace vortree::tree {
 /// Digit by digit, the lowest first: for numbers in which a few dozen bits differ, however these
 /// are spread. (radix_sort begins with the highest, and stops where nothing is left to tell.)
 ///
-/// cost    O(n) for every 14 bits, of fewer numbers for log2(n) - 2; 8 bytes a number of spare memory
-/// threads OpenMP; the result is the same for any number
-void digit_sort(Passing<std::uint64_t>& numbers, int low, int high);
+/// cost      O(n) for every 14 bits, of fewer numbers for log2(n) - 2; 8 bytes a number to spare
+/// threads   OpenMP; the result is the same for any number
+void digit_sort(Unwritten<std::uint64_t>& numbers, int low, int high);
 
 }  // namespace vortree::tree

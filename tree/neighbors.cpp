@@ -155,8 +155,8 @@ void Neighbors::visit(PairRule rule, Listing listing, const RowVisitor& visitor)
 std::size_t Neighbors::bytes() const {
   return placed_.x.bytes() + placed_.y.bytes() + placed_.reach.bytes() + placed_.id.bytes() +
          content_.capacity() * sizeof(Content) + colleagues_.capacity() * sizeof(Colleagues) +
-         coarser_.capacity() * sizeof(std::int32_t) +
-         groups_.capacity() * sizeof(Group) + search_.bytes();
+         coarser_.capacity() * sizeof(std::int32_t) + groups_.capacity() * sizeof(Group) +
+         search_.bytes();
 }
 
 Rows neighbors(Points points, std::span<const double> reach, PairRule rule, Listing listing) {

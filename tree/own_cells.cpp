@@ -14,8 +14,8 @@
 #include "tree/digit_sort.hpp"
 #include "tree/encode_kernel.hpp"
 #include "tree/extent_kernel.hpp"
+#include "tree/memory.hpp"
 #include "tree/own_cell_kernel.hpp"
-#include "tree/passing.hpp"
 #include "tree/pieces.hpp"
 #include "tree/radix_sort.hpp"
 
@@ -105,7 +105,7 @@ struct Frame {
 struct Particle {
   double x, y, reach;
 };
-using Particles = Passing<Particle>;
+using Particles = Unwritten<Particle>;
 
 void pack(Points points, std::span<const double> reach, Range some, Particles& to) {
   for (std::uint32_t i = some.first; i < some.last; ++i) {
@@ -166,7 +166,7 @@ OwnCells lay_out(const Particles& particles, const Frame& frame, const Sorted& s
 // By numbers that hold address and particle, if both fit.
 OwnCells sort_numbers(Points points, std::span<const double> reach, const Frame& frame,
                       int particle_bits, Placed& placed) {
-  Passing<std::uint64_t> numbers(points.size());
+  Unwritten<std::uint64_t> numbers(points.size());
   Particles particles(points.size());
   for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
     frame.locate(points, reach, some, &numbers[some.first]);

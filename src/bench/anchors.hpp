@@ -5,8 +5,8 @@ namespace vortree::bench {
 /// What the machine can do at most, measured in some ten milliseconds each: what the speed of a
 /// method is held against.
 ///
-/// fma               fused multiply-adds of doubles, a register full at a time [1/s]; of floats there
-///                   are twice as many
+/// fma               fused multiply-adds of doubles, a register full at a time [1/s]; of floats
+///                   twice as many
 /// divisions         of doubles, likewise [1/s]
 /// single_divisions  of floats [1/s]
 /// triad             bytes read and written by a = b + s c, from memory [1/s]

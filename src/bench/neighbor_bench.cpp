@@ -88,9 +88,9 @@ class Bench {
     for (const std::string& line : provenance()) write("# " + line);
     for (const int threads : {1, several_}) {
       const Anchors machine = machine_[threads] = measure_anchors(threads);
-      write(fmt::format(
-          "# anchors: threads={} fma={:.4g} divisions={:.4g} triad={:.4g} write={:.4g}", threads,
-          machine.fma, machine.divisions, machine.triad, machine.write));
+      write(
+          fmt::format("# anchors: threads={} fma={:.4g} divisions={:.4g} triad={:.4g} write={:.4g}",
+                      threads, machine.fma, machine.divisions, machine.triad, machine.write));
     }
     write(
         "family,set,order,n,levels,method,rule,listing,threads,build,search,seconds,fastest,"
@@ -149,16 +149,17 @@ class Bench {
     const double share =
         static_cast<double>(made.list_bytes) / machine_[threads].write / made.total;
     const std::string bytes = made.bytes ? fmt::format("{}", *made.bytes) : "";
-    write(fmt::format("{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.3f},{},{},{},{:.4f}",
-                      set.family, set.name, order, particles.size(), levels, maker.name, rule,
-                      listing, threads, made.build, made.search, made.total, made.fastest,
-                      made.repeats, made.cpu, made.found.pairs, bytes, made.list_bytes, share));
+    write(fmt::format(
+        "{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.3f},{},{},{},{:.4f}",
+        set.family, set.name, order, particles.size(), levels, maker.name, rule, listing, threads,
+        made.build, made.search, made.total, made.fastest, made.repeats, made.cpu, made.found.pairs,
+        bytes, made.list_bytes, share));
     const double beyond = static_cast<double>(made.bytes.value_or(made.list_bytes)) -
                           static_cast<double>(made.list_bytes);
     say_(fmt::format("{:10} {:8} {:8} {:13} {:4} {:7} {:7} {:23.1f} {:8.1f} {:8.1f} {:7.0f} {:.3f}",
                      set.name, order, particles.size(), maker.name, rule, listing, threads,
-                     1e9 * made.build / n, 1e9 * made.search / n, 1e9 * made.total / n,
-                     beyond / n, share));
+                     1e9 * made.build / n, 1e9 * made.search / n, 1e9 * made.total / n, beyond / n,
+                     share));
     if (question.rule == PairRule::max) {
       costs_[{set.family, maker.name, order, listing, threads}].push_back({n, made.fastest});
     }

@@ -31,7 +31,8 @@ struct NeighborBench {
 ///   bytes, list_bytes   memory that the first search added, and the list's part in it
 ///   write_share         of the time, what merely writing list_bytes to memory takes
 /// A search that would take too long is left out. All lists of a set are compared: rows as sets.
-/// At the end the exponents of n are fitted to the fastest times of the scaled and the uniform sets.
+/// At the end the exponents of n are fitted to the fastest times of the scaled and uniform sets.
+///
 /// say      told one line for each measurement
 /// throws   std::runtime_error if the file cannot be written, or if two methods differ
 void neighbor_bench(const NeighborBench& job, const std::function<void(std::string_view)>& say);

@@ -62,10 +62,10 @@ class Bench {
     for (const int threads : {1, all}) machine_[threads] = measure_anchors(threads);
     for (const std::string& line : provenance()) note(line);
     for (const auto& [threads, anchors] : machine_)
-      note(fmt::format("anchors: threads={} fma={:.4g} divisions={:.4g} single_divisions={:.4g} "
-                       "triad={:.4g}",
-                       threads, anchors.fma, anchors.divisions, anchors.single_divisions,
-                       anchors.triad));
+      note(fmt::format(
+          "anchors: threads={} fma={:.4g} divisions={:.4g} single_divisions={:.4g} "
+          "triad={:.4g}",
+          threads, anchors.fma, anchors.divisions, anchors.single_divisions, anchors.triad));
     write(csv_header());
     say_(spoken_header());
   }

@@ -34,8 +34,7 @@ assert all(notes[word] for word in ('machine', 'compiler', 'flags', 'commit', 'a
 
 TEST_CASE("the velocity bench leaves a table with its origin, and figures") {
   const TemporaryFolder folder;
-  const auto said =
-      bench("velocity --quick --largest 300 --threads 1 --out new/results", folder);
+  const auto said = bench("velocity --quick --largest 300 --threads 1 --out new/results", folder);
   CHECK(said.find("ringwake       300 boxes") != std::string::npos);
   CHECK(fs::exists(folder / "new/results/velocity_n.png"));
   CHECK(of_table("new/results/velocity.csv", R"(

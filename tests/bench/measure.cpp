@@ -84,8 +84,8 @@ TEST_CASE("a row has a cell for every column; floors come from pairs and anchors
   const bench::PointSet set = bench::make_points(bench::Kind::uniform, 1000);
   const Measurement made = measured("direct", set, 10);
   const bench::Row row{"uniform", "direct", 1000, {}, 1};
-  const bench::Floors least =
-      bench::floors(row, made, {.fma = 1e11, .divisions = 5e9, .single_divisions = 1e10, .triad = 1e10});
+  const bench::Floors least = bench::floors(
+      row, made, {.fma = 1e11, .divisions = 5e9, .single_divisions = 1e10, .triad = 1e10});
   CHECK(*least.near == Approx(0.5 * 999000 / 5e9));
   CHECK_FALSE(least.tree);
   const std::string line = bench::csv_line(row, made, least);

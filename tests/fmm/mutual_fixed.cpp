@@ -76,8 +76,8 @@ TEST_CASE("near sums in fixed point equal those pair by pair to 2^-22") {
     for (int round = 0; round < 20; ++round) {
       const Spread own(size, 0, 0, uniform), others(n, 1.1, round % 3, uniform);
       Room room(own.x.size());
-      fmm::FixedOthers met{load(others.x.data()), load(others.y.data()), load(others.gamma.data()),
-                           {}, {}};
+      fmm::FixedOthers met{
+          load(others.x.data()), load(others.y.data()), load(others.gamma.data()), {}, {}};
       CHECK_FALSE(fmm::meet_fixed<true>(room.cell(own, size), met));
       const Sums upon_own = plain(own, others), upon_others = plain(others, own);
       for (std::size_t i = 0; i < size; ++i) {

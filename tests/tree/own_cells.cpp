@@ -132,15 +132,14 @@ TEST_CASE("digit by digit, numbers are sorted by the bits asked for, and no othe
   for (const std::size_t n : {0u, 1u, 2u, 100u, 5000u, 200000u}) {
     for (int round = 0; round < 6; ++round) {
       const int low = chance.whole(0, 40), high = chance.whole(low, 64);
-      tree::Passing<std::uint64_t> numbers(n);
+      Unwritten<std::uint64_t> numbers(n);
       for (std::uint64_t& number : numbers) number = chance.bits() >> chance.whole(0, 8);
       const auto part = [&](std::uint64_t number) {
         return high == low ? 0 : number << (64 - high) >> (64 - high + low);
       };
       auto twin = numbers;
-      std::stable_sort(twin.begin(), twin.end(), [&](std::uint64_t a, std::uint64_t b) {
-        return part(a) < part(b);
-      });
+      std::stable_sort(twin.begin(), twin.end(),
+                       [&](std::uint64_t a, std::uint64_t b) { return part(a) < part(b); });
       tree::digit_sort(numbers, low, high);
       REQUIRE(std::equal(numbers.begin(), numbers.end(), twin.begin()));
     }
