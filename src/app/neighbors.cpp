@@ -20,12 +20,6 @@ struct Laps {
   std::vector<double> tree, search, total;
 };
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2;
-}
-
 void search(bench::NeighborMethod& method, const bench::NeighborJob& job, tree::Rows& rows,
             Laps& laps) {
   Stopwatch watch;

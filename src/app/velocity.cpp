@@ -64,12 +64,6 @@ void write_result(const std::filesystem::path& out, const Problem& problem) {
   io::write_columns(out, columns);
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2;
-}
-
 // Medians of the phases and of their sums. The four phases of a tree code come first, null where a
 // method cannot tell them apart; then what it can tell.
 io::Json median_seconds(const std::vector<Stopwatch>& laps) {

@@ -1,19 +1,12 @@
 #include "bench/measure.hpp"
 
 #include <algorithm>
-#include <ctime>
 
 #include "app/clock.hpp"
 #include "bench/memory.hpp"
 
 namespace vortree::bench {
 namespace {
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2.0;
-}
 
 // Where a sum of every pair is asked for: everywhere, or where the truth is known and at the first
 // points beside.
@@ -30,11 +23,6 @@ Exact at_first(Exact exact) {
   return exact;
 }
 
-// Of all threads of the process.
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
 double total(const app::Stopwatch& lap) {
   double sum = 0.0;
   for (const auto& [name, seconds] : lap.phases()) sum += seconds;
@@ -44,13 +32,13 @@ double total(const app::Stopwatch& lap) {
 void summarise(const std::vector<app::Stopwatch>& laps, double scale, Measurement& made) {
   std::vector<double> totals;
   for (const auto& lap : laps) totals.push_back(scale * total(lap));
-  made.seconds = median(totals);
+  made.seconds = app::median(totals);
   made.fastest = std::ranges::min(totals);
   made.repeats = static_cast<int>(laps.size());
   for (const auto& [name, ignored] : laps.front().phases()) {
     std::vector<double> values;
     for (const auto& lap : laps) values.push_back(scale * lap.seconds(name));
-    made.phases.emplace_back(name, median(values));
+    made.phases.emplace_back(name, app::median(values));
   }
 }
 
@@ -83,13 +71,13 @@ Measurement measure(const Method& method, const PointSet& set, const Exact& exac
   made.bytes = growth.bytes();
 
   std::vector<app::Stopwatch> laps;
-  const double used = processor_seconds();
+  const double used = app::processor_seconds();
   const app::Stopwatch all;
   for (double spent = 0.0;
        laps.size() < 3 ||
        (spent < patience.seconds && static_cast<int>(laps.size()) < patience.most_repeats);)
     spent += total(laps.emplace_back(lap(false)));
-  made.cpu = (processor_seconds() - used) / all.elapsed();
+  made.cpu = (app::processor_seconds() - used) / all.elapsed();
   summarise(laps, n / static_cast<double>(targets.size()), made);
   made.error = velocity_error(partly ? at_first(exact) : exact, u, v);
   return made;

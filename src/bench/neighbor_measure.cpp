@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -11,17 +10,6 @@
 
 namespace vortree::bench {
 namespace {
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2.0;
-}
-
-// Of all threads of the process.
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 std::uint64_t hash(std::uint64_t i, std::uint64_t j) {
   std::uint64_t h = (i << 32 | j) + 0x9e3779b97f4a7c15;
@@ -88,11 +76,12 @@ NeighborMeasurement measure_neighbors(const NeighborMaker& maker, const Neighbor
 
   const bool slow = total.back() > seconds;
   build.clear(), search.clear(), total.clear();
-  const double used = processor_seconds();
+  const double used = app::processor_seconds();
   const app::Stopwatch all;
   while (total.size() < (slow ? 2 : 3) || (all.elapsed() < seconds && total.size() < 200)) lap();
-  made.cpu = (processor_seconds() - used) / all.elapsed();
-  made.build = median(build), made.search = median(search), made.total = median(total);
+  made.cpu = (app::processor_seconds() - used) / all.elapsed();
+  made.build = app::median(build), made.search = app::median(search),
+  made.total = app::median(total);
   made.fastest = std::ranges::min(total);
   made.repeats = static_cast<int>(total.size());
   return made;

@@ -34,7 +34,7 @@ double seconds_of(const LapLimit& limit, const Work& work) {
     work();
     laps.push_back(watch.elapsed());
   }
-  return median(laps);
+  return app::median(laps);
 }
 
 class Bench {

@@ -93,12 +93,12 @@ class Contest {
     laps.clear(), parts.clear(), sorts.clear();
     while (limit.more(laps["reverse"])) run_round(laps, parts, sorts);
     for (auto& [name, one] : made) {
-      one.ready = median(laps[name]);
+      one.ready = app::median(laps[name]);
       one.fastest = std::ranges::min(laps[name]);
       one.repeats = laps[name].size();
-      for (auto& [part, values] : parts[name]) one.parts[part] = median(values);
+      for (auto& [part, values] : parts[name]) one.parts[part] = app::median(values);
       if (!one.parts.contains("order")) continue;
-      one.parts["sort"] = std::min(median(sorts), one.parts["order"]);
+      one.parts["sort"] = std::min(app::median(sorts), one.parts["order"]);
       one.parts["encode"] = one.parts["order"] - one.parts["sort"];
     }
     return made;
@@ -153,12 +153,6 @@ class Contest {
 
 }  // namespace
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2.0;
-}
-
 bool LapLimit::more(const std::vector<double>& laps) const {
   double spent = 0.0;
   for (const double lap : laps) spent += lap;
@@ -188,8 +182,8 @@ Evaluation evaluate(const PointSet& set, double tolerance, std::uint32_t n_ctrl,
   lap();
   all.clear(), tree.clear();
   while (limit.more(all)) lap();
-  made.all = median(all);
-  made.tree = median(tree);
+  made.all = app::median(all);
+  made.tree = app::median(tree);
   return made;
 }
 

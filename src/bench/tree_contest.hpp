@@ -14,8 +14,6 @@
 /// The measurements behind tree_bench.
 namespace vortree::bench {
 
-double median(std::vector<double> values);
-
 /// Laps go on for so many seconds or so often, but seven times at least.
 struct LapLimit {
   double seconds;
