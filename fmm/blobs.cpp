@@ -70,4 +70,10 @@ void check_result(std::size_t n, std::span<const double> u, std::span<const doub
                               std::to_string(v.size()) + "; both must have " + std::to_string(n));
 }
 
+void check_result(std::size_t n, const char* name, std::span<const double> values) {
+  if (values.size() == n) return;
+  throw std::invalid_argument(std::string(name) + " has " + std::to_string(values.size()) +
+                              " values; it must have " + std::to_string(n));
+}
+
 }  // namespace vortree::fmm

@@ -34,7 +34,8 @@ enum class Cores { source, mean };
 ///         finite or (sigma) negative, with its index
 void check(const Blobs& blobs);
 void check(const Targets& targets);
-/// throws  std::invalid_argument unless u and v hold n values
+/// throws  std::invalid_argument unless u and v hold n values, or those of a name
 void check_result(std::size_t n, std::span<const double> u, std::span<const double> v);
+void check_result(std::size_t n, const char* name, std::span<const double> values);
 
 }  // namespace vortree::fmm

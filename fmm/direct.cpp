@@ -1,8 +1,10 @@
 #include "fmm/direct.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
+#include "fmm/field.hpp"
 #include "fmm/p2p_kernel.hpp"
 #include "fmm/units.hpp"
 
@@ -12,8 +14,9 @@ namespace {
 constexpr std::size_t tile = 1024;  // sources: four arrays of it stay in the first cache
 constexpr std::size_t batch = 64;   // targets that visit a tile together
 
-template <class Pair>
-std::vector<Packed> tiles(const Blobs& blobs, const Units& units) {
+/// pack(S)   what a pair asks of the squared core of a source
+template <class Pack>
+std::vector<Packed> tiles(const Blobs& blobs, const Units& units, Pack pack) {
   std::vector<Packed> packed;
   for (std::size_t first = 0; first < blobs.size(); first += tile) {
     const std::size_t last = std::min(first + tile, blobs.size());
@@ -22,7 +25,7 @@ std::vector<Packed> tiles(const Blobs& blobs, const Units& units) {
     for (std::size_t j = first; j < last; ++j) {
       const double core = blobs.sigma.empty() ? 0.0 : units.squared_core(blobs.sigma[j]);
       sources.add(units.position(blobs.x[j]), units.position(blobs.y[j]),
-                  units.circulation(blobs.gamma[j]), Pair::packed_core(core));
+                  units.circulation(blobs.gamma[j]), pack(core));
     }
     sources.close();
   }
@@ -46,7 +49,7 @@ struct Batch {
 template <class Pair>
 void sum_all(const Blobs& blobs, const Targets& targets, std::span<double> u, std::span<double> v) {
   const Units units = Units::of(blobs);
-  const std::vector<Packed> sources = tiles<Pair>(blobs, units);
+  const std::vector<Packed> sources = tiles(blobs, units, Pair::packed_core);
   std::ranges::fill(u, 0.0);
   std::ranges::fill(v, 0.0);
   const std::size_t n = targets.size();
@@ -81,6 +84,34 @@ void velocity_direct(const Blobs& blobs, const Targets& targets, Cores cores, st
   } else {
     sum_all<MeanCorePair<FineExp>>(blobs, targets, u, v);
   }
+}
+
+void gradient_direct(const Blobs& blobs, const Targets& targets, Cores cores, std::span<double> ux,
+                     std::span<double> uy, std::span<double> vx) {
+  check(blobs);
+  check(targets);
+  check_result(targets.size(), "ux", ux);
+  check_result(targets.size(), "uy", uy);
+  check_result(targets.size(), "vx", vx);
+  const Units units = Units::of(blobs);
+  const auto sources = tiles(blobs, units, std::identity{});
+  const bool without = bare(blobs, targets, cores);
+  for (const std::span<double> sums : {ux, uy, vx}) std::ranges::fill(sums, 0.0);
+  const std::size_t n = targets.size();
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t first = 0; first < n; first += batch) {
+    const Batch local(targets, first, units);
+    const FieldTargets some{
+        local.x, local.y, local.core, {&uy[first], &ux[first], &vx[first]}, local.size};
+    for (const Packed& packed : sources) {
+      if (without) {
+        Gradient{}.add_bare(packed, some);
+      } else {
+        Gradient{}.add_cored(packed, CoreShares(cores), some);
+      }
+    }
+  }
+  finish_gradient(units, ux, uy, vx);
 }
 
 }  // namespace vortree::fmm

@@ -18,4 +18,12 @@ namespace vortree::fmm {
 void velocity_direct(const Blobs& blobs, const Targets& targets, Cores cores, std::span<double> u,
                      std::span<double> v);
 
+/// How it changes from place to place there: the formulas of Plan::gradient, every pair summed.
+///
+/// ux, uy, vx   as many as targets [1/s]; overwritten
+/// error        round-off; pairs at r = 0 contribute the rotation of the core, nothing if bare
+/// cost, throws as velocity_direct
+void gradient_direct(const Blobs& blobs, const Targets& targets, Cores cores, std::span<double> ux,
+                     std::span<double> uy, std::span<double> vx);
+
 }  // namespace vortree::fmm

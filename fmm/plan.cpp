@@ -25,12 +25,6 @@ void check(const Options& options) {
   }
 }
 
-void check_result(std::size_t n, const char* name, std::span<const double> values) {
-  if (values.size() == n) return;
-  throw std::invalid_argument(std::string(name) + " has " + std::to_string(values.size()) +
-                              " values; it must have " + std::to_string(n));
-}
-
 }  // namespace
 
 Plan::Plan(const Blobs& blobs, const Options& options, const Phase& phase)

@@ -16,6 +16,14 @@ class Planned final : public Velocity {
     plan.velocity_bare(bare_targets, upon_targets.u, upon_targets.v);
   }
 
+  void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets, Velocities& upon_blobs,
+                       Gradients& at_blobs, Velocities& upon_targets) const override {
+    const fmm::Plan plan(blobs, options_);
+    plan.velocity(upon_blobs.u, upon_blobs.v);
+    plan.gradient({blobs.x, blobs.y, blobs.sigma}, at_blobs.ux, at_blobs.uy, at_blobs.vx);
+    plan.velocity_bare(bare_targets, upon_targets.u, upon_targets.v);
+  }
+
   void upon_both(const fmm::Blobs& sources, tree::Points bare_targets, Velocities& bare,
                  tree::Points targets, Velocities& cored) const override {
     const fmm::Plan plan(sources, elsewhere());
@@ -47,6 +55,13 @@ class DirectSum final : public Velocity {
     fmm::velocity_direct(blobs, {blobs.x, blobs.y, blobs.sigma}, cores_, upon_blobs.u,
                          upon_blobs.v);
     upon({blobs.x, blobs.y, blobs.gamma, {}}, bare_targets, upon_targets);
+  }
+
+  void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets, Velocities& upon_blobs,
+                       Gradients& at_blobs, Velocities& upon_targets) const override {
+    upon_itself_and(blobs, bare_targets, upon_blobs, upon_targets);
+    fmm::gradient_direct(blobs, {blobs.x, blobs.y, blobs.sigma}, cores_, at_blobs.ux, at_blobs.uy,
+                         at_blobs.vx);
   }
 
   void upon_both(const fmm::Blobs& sources, tree::Points bare_targets, Velocities& bare,

@@ -14,6 +14,12 @@ struct Velocities {
   explicit Velocities(std::size_t n = 0) : u(n), v(n) {}
 };
 
+/// Their gradients as three columns [1/s]: du/dx, du/dy, dv/dx; dv/dy = -du/dx.
+struct Gradients {
+  std::vector<double> ux, uy, vx;
+  explicit Gradients(std::size_t n = 0) : ux(n), uy(n), vx(n) {}
+};
+
 /// How Biot-Savart sums are done. The solver cannot tell a fast method from the direct sum.
 class Velocity {
  public:
@@ -23,6 +29,12 @@ class Velocity {
   /// what a step asks of the vorticity, in one evaluation.
   virtual void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets,
                                Velocities& upon_blobs, Velocities& upon_targets) const = 0;
+
+  /// The same, and how the velocity changes from place to place around each blob. At its middle a
+  /// blob turns by its own core.
+  virtual void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets,
+                               Velocities& upon_blobs, Gradients& at_blobs,
+                               Velocities& upon_targets) const = 0;
 
   /// Sources upon some points without their cores, and upon others with them.
   virtual void upon_both(const fmm::Blobs& sources, tree::Points bare_targets, Velocities& bare,

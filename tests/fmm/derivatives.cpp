@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "fmm/direct.hpp"
 #include "fmm/field.hpp"
 #include "fmm/plan.hpp"
 #include "fmm/vorticity.hpp"
@@ -110,6 +111,19 @@ TEST_CASE("near pairs agree with their plain twin to round-off, from r = 1e-7 co
     agree(sum[0][0] - sum[2][0], exact.uy, size);
     agree(sum[0][0] + sum[2][0], exact.vx, size);
     agree(sum[3][0] / -2, exact.psi, std::abs(gamma) * (1 + std::abs(std::log(core))));
+  }
+}
+
+TEST_CASE("the direct sum of the gradient is right to round-off") {
+  for (const Widths width : {Widths::bare, Widths::even, Widths::mixed}) {
+    for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
+      CAPTURE(static_cast<int>(width), static_cast<int>(cores));
+      const Cloud cloud(test::make_points(test::Kind::uniform, 1500), width, 150);
+      const auto exact = test::exact_fields(cloud.set.blobs(), cloud.targets(), cores);
+      test::Fields found(cloud.x.size());
+      fmm::gradient_direct(cloud.set.blobs(), cloud.targets(), cores, found.ux, found.uy, found.vx);
+      CHECK(test::errors_of(found, exact).gradient < 1e-14);
+    }
   }
 }
 

@@ -69,9 +69,10 @@ inline std::vector<ExactFields> exact_fields(const fmm::Blobs& blobs, const fmm:
 struct Fields {
   std::vector<double> ux, uy, vx, psi;
 
+  explicit Fields(std::size_t n) : ux(n, 7.0), uy(ux), vx(ux), psi(ux) {}
+
   template <class Plan>
-  Fields(const Plan& plan, const fmm::Targets& targets)
-      : ux(targets.size(), 7.0), uy(ux), vx(ux), psi(ux) {
+  Fields(const Plan& plan, const fmm::Targets& targets) : Fields(targets.size()) {
     plan.gradient(targets, ux, uy, vx);
     plan.stream_function(targets, psi);
   }
