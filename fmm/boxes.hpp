@@ -22,6 +22,8 @@ class Boxes final : public Evaluator {
   Boxes(const Blobs& blobs, const Options& options, const Phase& phase);
 
   void velocity(std::span<double> u, std::span<double> v) const override;
+  void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                             std::span<double> uy, std::span<double> vx) const override;
   void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const override;
   void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const override;
   void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
@@ -38,8 +40,10 @@ class Boxes final : public Evaluator {
   [[nodiscard]] bool cored(const Arrangement& targets) const;
   [[nodiscard]] Acceptance acceptance(bool cored) const;
   template <class Field>
-  void evaluate_field(const Field& field, const Order& order, const Targets& targets,
+  void evaluate_field(const Field& field, const Order& order, const Arrangement& at,
                       std::array<double*, 3> results) const;
+  void gradient_at(const Arrangement& targets, std::span<double> ux, std::span<double> uy,
+                   std::span<double> vx) const;
   void evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
                    std::span<double> v) const;
 

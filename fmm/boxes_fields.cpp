@@ -12,11 +12,11 @@ namespace vortree::fmm {
 
 /// Each leaf of the targets' tree looks for its own series and near sources, from the root on.
 template <class Field>
-void Boxes::evaluate_field(const Field& field, const Order& order, const Targets& targets,
+void Boxes::evaluate_field(const Field& field, const Order& order, const Arrangement& at,
                            std::array<double*, 3> results) const {
-  for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], targets.size(), 0.0);
-  if (targets.size() == 0 || blobs_.points.size() == 0) return;
-  const Arrangement at = arrange(targets, units_, growth());
+  const std::size_t n = at.points.size();
+  for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], n, 0.0);
+  if (n == 0 || blobs_.points.size() == 0) return;
   Acceptance accepted = acceptance(cored(at));
   accepted.order = order;
   if (accepted.reach2 > 0.0) accepted.reach2 = Field::reach2(options_.tolerance);
@@ -57,8 +57,8 @@ void Boxes::evaluate_field(const Field& field, const Order& order, const Targets
   }
 }
 
-void Boxes::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
-                     std::span<double> vx) const {
+void Boxes::gradient_at(const Arrangement& targets, std::span<double> ux, std::span<double> uy,
+                        std::span<double> vx) const {
   if (phase_) phase_("evaluate");
   const int terms = order_.most();
   const Order order =
@@ -67,9 +67,21 @@ void Boxes::gradient(const Targets& targets, std::span<double> ux, std::span<dou
   finish_gradient(units_, ux, uy, vx);
 }
 
+void Boxes::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                     std::span<double> vx) const {
+  gradient_at(arrange(targets, units_, growth()), ux, uy, vx);
+}
+
+void Boxes::velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                                  std::span<double> uy, std::span<double> vx) const {
+  velocity(u, v);
+  gradient_at(blobs_, ux, uy, vx);
+}
+
 void Boxes::stream_function(const Targets& targets, std::span<double> psi) const {
   if (phase_) phase_("evaluate");
-  evaluate_field(StreamFunction{log_unit(units_), {}}, order_, targets, {psi.data()});
+  evaluate_field(StreamFunction{log_unit(units_), {}}, order_, arrange(targets, units_, growth()),
+                 {psi.data()});
   const double all = std::accumulate(gamma_.begin(), gamma_.end(), 0.0);
   finish_stream_function(units_, all, targets, psi);
 }

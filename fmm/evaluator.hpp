@@ -26,6 +26,8 @@ class Evaluator {
  public:
   virtual ~Evaluator() = default;
   virtual void velocity(std::span<double> u, std::span<double> v) const = 0;
+  virtual void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                                     std::span<double> uy, std::span<double> vx) const = 0;
   virtual void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const = 0;
   virtual void velocity_bare(tree::Points targets, std::span<double> u,
                              std::span<double> v) const = 0;

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "fmm/mutual_cores.hpp"
-#include "fmm/mutual_near.hpp"
 #include "fmm/vortices.hpp"
 #include "tree/split_rule.hpp"
 
@@ -56,13 +54,6 @@ void tell(const Phase& phase, const char* name) {
 }
 
 }  // namespace
-
-/// What a thread needs, kept from slab to slab.
-struct Full::Scratch {
-  MutualNear bare;
-  MutualCores cored;
-  std::vector<tree::Range> runs;
-};
 
 Full::Full(const Blobs& blobs, const Options& options, const Phase& phase)
     : options_(resolve(options, blobs)),
@@ -132,7 +123,7 @@ double Full::near_pairs() const {
     std::vector<tree::Range> runs;
 #pragma omp for schedule(static)
     for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) {
-      near_runs(static_cast<std::uint32_t>(leaf), runs);
+      near_runs(static_cast<std::uint32_t>(leaf), false, runs);
       for (const tree::Range run : runs)
         pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
     }
@@ -146,96 +137,11 @@ Acceptance Full::acceptance(bool cored) const {
           .cores = options_.cores};
 }
 
-/// The places of all points that the points of a childless cell meet one by one, its own among
-/// them.
-void Full::near_runs(std::uint32_t leaf, std::vector<tree::Range>& runs) const {
-  runs.clear();
-  const auto cells = tree_.cells();
-  const std::uint32_t own = tree_.childless()[leaf];
-  const auto add = [&](std::uint32_t c) { runs.push_back(leaves_.places(lists_.leaves(c))); };
-  if (lists_.neighbors(own)[Lists::middle] != nobody && !leaves_.in_one_place(leaf)) add(own);
-  lists_.for_each_ahead(own, add);
-  lists_.for_each_behind(own, add);
-  for (auto c = static_cast<std::int32_t>(own); c != nobody; c = cells[c].parent) {
-    for (const std::uint32_t q : lists_.refused(static_cast<std::uint32_t>(c))) add(q);
-  }
-  std::ranges::sort(runs, {}, &tree::Range::first);
-  std::size_t last = 0;
-  for (std::size_t k = 1; k < runs.size(); ++k) {
-    if (runs[k].first == runs[last].last) {
-      runs[last].last = runs[k].last;
-    } else {
-      runs[++last] = runs[k];
-    }
-  }
-  if (!runs.empty()) runs.resize(last + 1);
-}
-
-void Full::add_far(tree::Range slab, double* u, double* v) const {
-  std::visit(
-      [&](const auto& far) {
-        for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
-          const std::uint32_t first = leaves_.start[leaf];
-          const NearTargets at{
-              &leaves_.points.x[first], &leaves_.points.y[first], nullptr, u + first, v + first,
-              leaves_.size[leaf]};
-          far.l2p(stage(), tree_.childless()[leaf], at);
-          for (const std::uint32_t c : lists_.w(leaf)) far.m2p(stage(), c, at);
-        }
-      },
-      far_);
-}
-
-void Full::add_cored(tree::Range slab, Scratch& scratch, double* u, double* v) const {
-  const tree::Range places = leaves_.places(slab);
-  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
-    near_runs(leaf, scratch.runs);
-    scratch.cored.add(leaf, places, scratch.runs, u, v);
-  }
-}
-
-void Full::velocity(std::span<double> u, std::span<double> v) const {
-  tell(phase_, "near");
-  Reals all_u(leaves_.places()), all_v(leaves_.places());
-  const auto cells = tree_.cells();
-  const auto order = tree_.order();
-#pragma omp parallel
-  {
-    Scratch scratch{{tree_, lists_, leaves_, coarse(options_)},
-                    {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)},
-                    {}};
-#pragma omp for schedule(dynamic)
-    for (std::size_t s = 0; s < slabs_.size(); ++s) {
-      const tree::Range slab = slabs_[s], places = leaves_.places(slab);
-      const std::span<double> slab_u(&all_u[places.first], places.size());
-      const std::span<double> slab_v(&all_v[places.first], places.size());
-      std::ranges::fill(slab_u, 0.0);
-      std::ranges::fill(slab_v, 0.0);
-      if (leaves_.cored()) {
-        add_cored(slab, scratch, all_u.data(), all_v.data());
-      } else {
-        scratch.bare.add(slab, all_u.data(), all_v.data());
-      }
-      add_far(slab, all_u.data(), all_v.data());
-      units_.to_velocity(slab_u);
-      units_.to_velocity(slab_v);
-      for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
-        const tree::Range points = cells[tree_.childless()[leaf]].points;
-        const std::uint32_t first = leaves_.start[leaf] - points.first;
-        for (std::uint32_t j = points.first; j < points.last; ++j) {
-          u[order[j]] = all_u[first + j];
-          v[order[j]] = all_v[first + j];
-        }
-      }
-    }
-  }
-}
-
 Work Full::work() const {
   Work work{.bare_in_floats = coarse(options_), .cored_in_floats = coarse(options_)};
   std::vector<tree::Range> runs;
   for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
-    near_runs(leaf, runs);
+    near_runs(leaf, false, runs);
     std::uint64_t near = 0;
     for (const tree::Range run : runs) {
       // pads do not count

@@ -35,6 +35,8 @@ class Full final : public Evaluator {
   [[nodiscard]] bool serves() const { return serves_; }
 
   void velocity(std::span<double> u, std::span<double> v) const override;
+  void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                             std::span<double> uy, std::span<double> vx) const override;
   void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const override;
   void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const override;
   void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
@@ -47,7 +49,11 @@ class Full final : public Evaluator {
   [[nodiscard]] std::size_t bytes() const override;
 
  private:
+  template <std::size_t sums>
   struct Scratch;
+  /// Columns that are summed (mutual_core_kernel.hpp).
+  template <std::size_t sums>
+  using Sums = std::array<double*, sums>;
   struct Elsewhere;
   struct Groups;
   using Far = std::variant<FarField<double>, FarField<float>>;
@@ -57,9 +63,15 @@ class Full final : public Evaluator {
   [[nodiscard]] double near_pairs() const;
   [[nodiscard]] Stage stage() const { return {tree_, lists_, leaves_}; }
   [[nodiscard]] Acceptance acceptance(bool cored) const;
-  void near_runs(std::uint32_t leaf, std::vector<tree::Range>& runs) const;
-  void add_far(tree::Range slab, double* u, double* v) const;
-  void add_cored(tree::Range slab, Scratch& scratch, double* u, double* v) const;
+  void near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const;
+  template <std::size_t sums>
+  void sweep(const Sums<sums>& results) const;
+  template <std::size_t sums>
+  void add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& to) const;
+  template <std::size_t sums>
+  void add_far(tree::Range slab, const Sums<sums>& to) const;
+  template <std::size_t sums>
+  void hand_out(tree::Range slab, const Sums<sums>& all, const Sums<sums>& results) const;
   [[nodiscard]] bool cored(const Targets& targets) const;
   [[nodiscard]] Groups group(const Targets& targets, bool cored) const;
   void evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,

@@ -56,24 +56,27 @@ tree::Range common(tree::Range a, tree::Range b) {
 
 }  // namespace
 
-MutualCores::MutualCores(const Leaves& leaves, Cores cores, double reach2, bool coarse)
+template <std::size_t sums>
+MutualCores<sums>::MutualCores(const Leaves& leaves, Cores cores, double reach2, bool coarse)
     : leaves_(leaves), cores_(cores), reach2_(reach2), coarse_(coarse) {}
 
-void MutualCores::add(std::uint32_t leaf, tree::Range slab, std::span<const tree::Range> runs,
-                      double* u, double* v) {
+template <std::size_t sums>
+void MutualCores<sums>::add(std::uint32_t leaf, tree::Range slab, std::span<const tree::Range> runs,
+                            const Sums& to) {
   take(leaf);
   const tree::Range own{leaves_.start[leaf], leaves_.start[leaf + 1]};
   for (const tree::Range run : runs) {
-    meet<false>(common(run, {0, slab.first}), u, v);
-    meet<false>(common(run, own), u, v);
-    meet<true>(common(run, {own.last, slab.last}), u, v);
-    meet<false>(common(run, {slab.last, run.last}), u, v);
+    meet<false>(common(run, {0, slab.first}), to);
+    meet<false>(common(run, own), to);
+    meet<true>(common(run, {own.last, slab.last}), to);
+    meet<false>(common(run, {slab.last, run.last}), to);
   }
-  empty_room(room_, u, v);
-  if (coarse_) empty_room(single_, u, v);
+  empty_room(room_, to);
+  if (coarse_) empty_room(single_, to);
 }
 
-void MutualCores::take(std::uint32_t leaf) {
+template <std::size_t sums>
+void MutualCores<sums>::take(std::uint32_t leaf) {
   first_ = leaves_.start[leaf], size_ = leaves_.size[leaf];
   Lanes left = load(&leaves_.points.x[first_]), bottom = load(&leaves_.points.y[first_]);
   Lanes right = left, top = bottom, least = load(&leaves_.points.core[first_]), widest = least;
@@ -99,12 +102,13 @@ void MutualCores::take(std::uint32_t leaf) {
   fill_room(single_);
 }
 
+template <std::size_t sums>
 template <class Number>
-void MutualCores::fill_room(Room<Number>& room) {
+void MutualCores<sums>::fill_room(Room<Number>& room) {
   const std::size_t whole = padded(size_);
   if (room.x.size() < whole) {
     for (auto* values : {&room.x, &room.y, &room.gamma, &room.core}) values->resize(2 * whole);
-    for (auto* sums : {&room.u, &room.v}) sums->resize(2 * whole);
+    for (auto& sum : room.sum) sum.resize(2 * whole);
   }
   const double per_area = room.per_length * room.per_length;
   with_weight(cores_, coarse_, [&](auto weight) {
@@ -116,19 +120,20 @@ void MutualCores::fill_room(Room<Number>& room) {
       room.core[i] = weight.packed(static_cast<Number>(leaves_.points.core[j] * per_area));
     }
   });
-  std::fill_n(room.u.begin(), size_, typename VectorOf<Number>::Type{});
-  std::fill_n(room.v.begin(), size_, typename VectorOf<Number>::Type{});
+  for (auto& sum : room.sum) std::fill_n(sum.begin(), size_, typename VectorOf<Number>::Type{});
 }
 
+template <std::size_t sums>
 template <class Number>
-void MutualCores::empty_room(const Room<Number>& room, double* u, double* v) const {
-  for (std::size_t i = 0; i < size_; ++i) {
-    u[first_ + i] += sum(room.u[i]) * room.per_length;
-    v[first_ + i] += sum(room.v[i]) * room.per_length;
+void MutualCores<sums>::empty_room(const Room<Number>& room, const Sums& to) const {
+  for (std::size_t s = 0; s < sums; ++s) {
+    for (std::size_t i = 0; i < size_; ++i)
+      to[s][first_ + i] += sum(room.sum[s][i]) * room.scale(s);
   }
 }
 
-MutualCores::Look MutualCores::look(std::uint32_t first, std::uint32_t count, bool both) const {
+template <std::size_t sums>
+auto MutualCores<sums>::look(std::uint32_t first, std::uint32_t count, bool both) const -> Look {
   const double part = cores_ == Cores::mean ? 0.5 * reach2_ : reach2_;
   const double of_cell = cores_ == Cores::mean ? part * widest_ : 0.0;
   const Lanes at_least = fill(cores_ == Cores::source && both ? part * widest_ : 0.0);
@@ -148,30 +153,32 @@ MutualCores::Look MutualCores::look(std::uint32_t first, std::uint32_t count, bo
   return {shown != 0, coarse_ && fit};
 }
 
+template <std::size_t sums>
 template <bool both>
-void MutualCores::meet(tree::Range places, double* u, double* v) {
+void MutualCores<sums>::meet(tree::Range places, const Sums& to) {
   const std::uint32_t step = coarse_ ? single_count : lane_count;
   for (std::uint32_t j = places.first; j < places.last; j += step) {
     const std::uint32_t count = std::min(step, places.last - j);
     const Look seen = look(j, count, both);
     if (seen.single) {
-      meet_some<both>(single_, j, count, seen.shows, u, v);
+      meet_some<both>(single_, j, count, seen.shows, to);
     } else {
       for (std::uint32_t k = 0; k < count; k += lane_count) {
-        meet_some<both>(room_, j + k, lane_count, seen.shows, u, v);
+        meet_some<both>(room_, j + k, lane_count, seen.shows, to);
       }
     }
   }
 }
 
+template <std::size_t sums>
 template <bool both, class Number>
-void MutualCores::meet_some(Room<Number>& room, std::uint32_t first, std::uint32_t count,
-                            bool shows, double* u, double* v) const {
+void MutualCores<sums>::meet_some(Room<Number>& room, std::uint32_t first, std::uint32_t count,
+                                  bool shows, const Sums& to) const {
   using Vector = typename VectorOf<Number>::Type;
-  const CellPoints<Number> cell{
-      room.x.data(), room.y.data(), room.gamma.data(), room.core.data(), room.u.data(),
-      room.v.data(), size_};
-  OtherPoints<Vector> others;
+  CellPoints<Number, sums> cell{
+      room.x.data(), room.y.data(), room.gamma.data(), room.core.data(), {}, size_};
+  for (std::size_t s = 0; s < sums; ++s) cell.sum[s] = room.sum[s].data();
+  OtherPoints<Vector, sums> others;
   others.x = load_scaled<Number>(&leaves_.points.x[first], count, room.x0, room.per_length);
   others.y = load_scaled<Number>(&leaves_.points.y[first], count, room.y0, room.per_length);
   others.gamma = load_gamma<Number>(&leaves_.gamma[first], count);
@@ -186,10 +193,12 @@ void MutualCores::meet_some(Room<Number>& room, std::uint32_t first, std::uint32
       meet_others<decltype(weight), both>(cell, others);
     });
   }
-  if (both) {
-    add_scaled(u + first, count, others.u, room.per_length);
-    add_scaled(v + first, count, others.v, room.per_length);
-  }
+  if (!both) return;
+  for (std::size_t s = 0; s < sums; ++s)
+    add_scaled(to[s] + first, count, others.sum[s], room.scale(s));
 }
+
+template class MutualCores<velocity_sums>;
+template class MutualCores<slope_sums>;
 
 }  // namespace vortree::fmm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,20 +21,23 @@ namespace vortree::fmm {
 /// velocity over sqrt(S), so cores must be wide, extent^2 <= 256 S, for an error of 2^-24 times a
 /// few, relative to the sum of |gamma_j| / sqrt(S_j). Where no core shows, at distances r of
 /// several sqrt(S), the same error of place changes a velocity by extent/r of 2^-24 only: there
-/// extents may be four times as large.
+/// extents may be four times as large. Slopes err as much relative to the sum of |gamma_j| / S_j.
+///
+/// sums   velocity_sums, or slope_sums
+template <std::size_t sums>
 class MutualCores {
  public:
   /// reach2   a core S shows up to a gap of sqrt(reach2 S)
   /// coarse   single precision will do
   MutualCores(const Leaves& leaves, Cores cores, double reach2, bool coarse);
 
-  /// Adds to u and v (times 2 pi, in the places of leaves) all pairs of a childless cell and the
+  /// Adds to the sums (times 2 pi, in the places of leaves) all pairs of a childless cell and the
   /// runs: both ways where the others are in the slab; those in the slab before the cell are left
   /// out, since they have met it.
   ///
   /// runs   of places, in whole vectors, ascending, disjoint
-  void add(std::uint32_t leaf, tree::Range slab, std::span<const tree::Range> runs, double* u,
-           double* v);
+  using Sums = std::array<double*, sums>;
+  void add(std::uint32_t leaf, tree::Range slab, std::span<const tree::Range> runs, const Sums& to);
 
  private:
   /// The points of the cell, x = (position - x0)/length.
@@ -41,7 +45,12 @@ class MutualCores {
   struct Room {
     double x0 = 0, y0 = 0, per_length = 1;
     Unwritten<Number> x, y, gamma, core;
-    Unwritten<typename VectorOf<Number>::Type> u, v;
+    std::array<Unwritten<typename VectorOf<Number>::Type>, sums> sum;
+
+    /// A sum is of 1/length, or of 1/length^2.
+    [[nodiscard]] double scale(std::size_t s) const {
+      return s < velocity_sums ? per_length : per_length * per_length;
+    }
   };
   /// Of some vectors of points: does a core show between them and the cell, and is single precision
   /// exact enough?
@@ -53,13 +62,13 @@ class MutualCores {
   template <class Number>
   void fill_room(Room<Number>& room);
   template <class Number>
-  void empty_room(const Room<Number>& room, double* u, double* v) const;
+  void empty_room(const Room<Number>& room, const Sums& to) const;
   [[nodiscard]] Look look(std::uint32_t first, std::uint32_t count, bool both) const;
   template <bool both>
-  void meet(tree::Range places, double* u, double* v);
+  void meet(tree::Range places, const Sums& to);
   template <bool both, class Number>
   void meet_some(Room<Number>& room, std::uint32_t first, std::uint32_t count, bool shows,
-                 double* u, double* v) const;
+                 const Sums& to) const;
 
   const Leaves& leaves_;
   Cores cores_;

@@ -47,6 +47,15 @@ void Plan::velocity(std::span<double> u, std::span<double> v) const {
   sums_->velocity(u, v);
 }
 
+void Plan::velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                                 std::span<double> uy, std::span<double> vx) const {
+  check_result(size(), u, v);
+  check_result(size(), "ux", ux);
+  check_result(size(), "uy", uy);
+  check_result(size(), "vx", vx);
+  sums_->velocity_and_gradient(u, v, ux, uy, vx);
+}
+
 void Plan::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
   fmm::check(targets);
   check_result(targets.size(), u, v);

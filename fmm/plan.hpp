@@ -41,6 +41,13 @@ class Plan {
   /// u, v    as many as blobs [m/s], in their input order; overwritten
   void velocity(std::span<double> u, std::span<double> v) const;
 
+  /// At the blobs themselves, velocity and gradient() in one sweep.
+  ///
+  /// error   ||u|| as velocity(u, v); the gradient's ||.||_2 <= 10 tolerance (tests/fmm/together.cpp)
+  /// cost    of blobs with cores by Method::fmm, half as much again as velocity(u, v); else as both
+  void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                             std::span<double> uy, std::span<double> vx) const;
+
   /// Elsewhere.
   void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const;
 

@@ -19,8 +19,7 @@ class Planned final : public Velocity {
   void upon_itself_and(const fmm::Blobs& blobs, tree::Points bare_targets, Velocities& upon_blobs,
                        Gradients& at_blobs, Velocities& upon_targets) const override {
     const fmm::Plan plan(blobs, options_);
-    plan.velocity(upon_blobs.u, upon_blobs.v);
-    plan.gradient({blobs.x, blobs.y, blobs.sigma}, at_blobs.ux, at_blobs.uy, at_blobs.vx);
+    plan.velocity_and_gradient(upon_blobs.u, upon_blobs.v, at_blobs.ux, at_blobs.uy, at_blobs.vx);
     plan.velocity_bare(bare_targets, upon_targets.u, upon_targets.v);
   }
 

@@ -1,7 +1,9 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
+#include "fmm/derivatives.hpp"
 #include "fmm/mutual_core_kernel.hpp"
 #include "point_sets.hpp"
 #include "tree/memory.hpp"
@@ -27,9 +29,38 @@ struct Meeting {
   }
 };
 
-/// The largest difference from pair by pair sums, over the largest sum, of all points.
-template <class Weight, class Number>
-double difference(std::size_t size, bool bare, fmm::Cores cores) {
+/// Sums of all points pair by pair, those of the cell first: u, v, du/dx, du/dy, dv/dx.
+std::array<std::vector<double>, 5> pair_by_pair(const Meeting& made, fmm::Cores cores) {
+  const std::size_t all = made.x.size();
+  std::array<std::vector<double>, 5> sums;
+  for (auto& sum : sums) sum.resize(all);
+  const auto act = [&](std::size_t to, std::size_t from) {
+    const double dx = made.x[to] - made.x[from], dy = made.y[to] - made.y[from];
+    const double square = cores == fmm::Cores::source ? made.square[from]
+                                                      : 0.5 * (made.square[from] + made.square[to]);
+    const double w = fmm::pair_weight_plain(dx * dx + dy * dy, made.gamma[from], square);
+    test::ExactFields slopes;
+    if (square == 0.0)
+      slopes.add_bare(made.gamma[from], dx, dy);
+    else
+      slopes.add_cored(made.gamma[from], dx, dy, square);
+    sums[0][to] -= w * dy, sums[1][to] += w * dx;
+    sums[2][to] += static_cast<double>(slopes.ux), sums[3][to] += static_cast<double>(slopes.uy);
+    sums[4][to] += static_cast<double>(slopes.vx);
+  };
+  for (std::size_t i = 0; i < made.size; ++i) {
+    for (std::size_t k = made.size; k < all; ++k) act(i, k), act(k, i);
+  }
+  return sums;
+}
+
+/// The largest differences from pair by pair sums, over the largest sum, of all points.
+struct Differences {
+  double velocity = 0, slopes = 0;
+};
+
+template <class Weight, class Number, std::size_t count = fmm::slope_sums>
+Differences differences(std::size_t size, bool bare, fmm::Cores cores) {
   using Vector = typename fmm::VectorOf<Number>::Type;
   constexpr std::size_t n = fmm::VectorOf<Number>::count;
   const Meeting made(size, n, bare);
@@ -39,8 +70,7 @@ double difference(std::size_t size, bool bare, fmm::Cores cores) {
     gamma.push_back(static_cast<Number>(made.gamma[i]));
     core.push_back(Weight::packed(static_cast<Number>(made.square[i])));
   }
-  Unwritten<Vector> u(size, Vector{}), v(size, Vector{});
-  fmm::OtherPoints<Vector> others{};
+  fmm::OtherPoints<Vector, count> others{};
   for (std::size_t k = 0; k < n; ++k) {
     others.x[k] = static_cast<Number>(made.x[size + k]);
     others.y[k] = static_cast<Number>(made.y[size + k]);
@@ -48,31 +78,41 @@ double difference(std::size_t size, bool bare, fmm::Cores cores) {
     others.core[k] = static_cast<Number>(made.square[size + k]);
   }
   others.core = Weight::packed(others.core);
-  const fmm::CellPoints<Number> cell{x.data(), y.data(), gamma.data(), core.data(),
-                                     u.data(), v.data(), size};
+  std::array<Unwritten<Vector>, count> room;
+  fmm::CellPoints<Number, count> cell{x.data(), y.data(), gamma.data(), core.data(), {}, size};
+  for (std::size_t s = 0; s < count; ++s) {
+    room[s].assign(size, Vector{});
+    cell.sum[s] = room[s].data();
+  }
   fmm::meet_others<Weight, true>(cell, others);
 
-  std::vector<double> sum_u(size + n), sum_v(size + n);
-  const auto act = [&](std::size_t to, std::size_t from) {
-    const double dx = made.x[to] - made.x[from], dy = made.y[to] - made.y[from];
-    const double square = cores == fmm::Cores::source ? made.square[from]
-                                                      : 0.5 * (made.square[from] + made.square[to]);
-    const double w = fmm::pair_weight_plain(dx * dx + dy * dy, made.gamma[from], square);
-    sum_u[to] -= w * dy, sum_v[to] += w * dx;
+  const auto exact = pair_by_pair(made, cores);
+  const auto found = [&](std::size_t s, std::size_t i) {
+    return i < size ? sum(room[s][i]) : static_cast<double>(others.sum[s][i - size]);
   };
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t k = 0; k < n; ++k) act(i, size + k), act(size + k, i);
-  }
-  double worst = 0, largest = 0;
-  const auto compare = [&](double found_u, double found_v, std::size_t i) {
-    worst = std::max({worst, std::abs(found_u - sum_u[i]), std::abs(found_v - sum_v[i])});
-    largest = std::max({largest, std::abs(sum_u[i]), std::abs(sum_v[i])});
+  double worst[2] = {}, largest[2] = {};
+  const auto compare = [&](int kind, double value, double expected) {
+    worst[kind] = std::max(worst[kind], std::abs(value - expected));
+    largest[kind] = std::max(largest[kind], std::abs(expected));
   };
-  for (std::size_t i = 0; i < size; ++i) compare(sum(u[i]), sum(v[i]), i);
-  for (std::size_t k = 0; k < n; ++k) {
-    compare(static_cast<double>(others.u[k]), static_cast<double>(others.v[k]), size + k);
+  for (std::size_t i = 0; i < size + n; ++i) {
+    compare(0, found(0, i), exact[0][i]);
+    compare(0, found(1, i), exact[1][i]);
+    if constexpr (count == fmm::slope_sums) {
+      compare(1, found(3, i), exact[2][i]);
+      compare(1, found(2, i) - found(4, i), exact[3][i]);
+      compare(1, found(2, i) + found(4, i), exact[4][i]);
+    }
   }
-  return worst / largest;
+  return {worst[0] / largest[0], worst[1] / std::max(largest[1], 1e-300)};
+}
+
+template <class Weight, class Number>
+void check_all(std::size_t size, bool bare, fmm::Cores cores, double most) {
+  const Differences with_slopes = differences<Weight, Number>(size, bare, cores);
+  CHECK(with_slopes.velocity < most);
+  CHECK(with_slopes.slopes < most);
+  CHECK(differences<Weight, Number, fmm::velocity_sums>(size, bare, cores).velocity < most);
 }
 
 }  // namespace
@@ -81,12 +121,13 @@ TEST_CASE("mutual sums of cored vortices equal those pair by pair, both ways, in
   using fmm::Cores, fmm::CoarseExp, fmm::FineExp;
   for (const std::size_t size : {1u, 7u, 8u, 9u, 50u}) {
     CAPTURE(size);
-    CHECK(difference<fmm::MutualBare, double>(size, true, Cores::source) < 1e-14);
-    CHECK(difference<fmm::MutualMeanCore<FineExp>, double>(size, false, Cores::mean) < 1e-14);
-    CHECK(difference<fmm::MutualMeanCore<FineExp>, double>(size, true, Cores::mean) < 1e-14);
-    CHECK(difference<fmm::MutualSourceCore<FineExp>, double>(size, false, Cores::source) < 1e-14);
-    CHECK(difference<fmm::MutualMeanCore<CoarseExp>, double>(size, false, Cores::mean) < 1e-7);
-    CHECK(difference<fmm::MutualMeanCore<CoarseExp>, float>(size, false, Cores::mean) < 3e-6);
-    CHECK(difference<fmm::MutualSourceCore<CoarseExp>, float>(size, false, Cores::source) < 3e-6);
+    check_all<fmm::MutualBare, double>(size, true, Cores::source, 1e-14);
+    check_all<fmm::MutualMeanCore<FineExp>, double>(size, false, Cores::mean, 1e-14);
+    check_all<fmm::MutualMeanCore<FineExp>, double>(size, true, Cores::mean, 1e-14);
+    check_all<fmm::MutualSourceCore<FineExp>, double>(size, false, Cores::source, 1e-14);
+    check_all<fmm::MutualSourceCore<FineExp>, double>(size, true, Cores::source, 1e-14);
+    check_all<fmm::MutualMeanCore<CoarseExp>, double>(size, false, Cores::mean, 1e-7);
+    check_all<fmm::MutualMeanCore<CoarseExp>, float>(size, false, Cores::mean, 3e-6);
+    check_all<fmm::MutualSourceCore<CoarseExp>, float>(size, false, Cores::source, 3e-6);
   }
 }

@@ -1,0 +1,168 @@
+#include <algorithm>
+
+#include "fmm/field.hpp"
+#include "fmm/full.hpp"
+#include "fmm/mutual_cores.hpp"
+#include "fmm/mutual_near.hpp"
+
+namespace vortree::fmm {
+
+/// What a thread needs, kept from slab to slab.
+template <std::size_t sums>
+struct Full::Scratch {
+  MutualNear bare;
+  MutualCores<sums> cored;
+  std::vector<tree::Range> runs;
+  Packed sources;
+
+  void take_sources(const Leaves& leaves) {
+    std::size_t most = 0;
+    for (const tree::Range run : runs) most += run.size();
+    sources.restart(most);
+    for (const tree::Range run : runs) {
+      const std::size_t first = run.first;
+      sources.add(&leaves.points.x[first], &leaves.points.y[first], &leaves.gamma[first],
+                  run.size());
+    }
+    sources.close();
+  }
+};
+
+/// The places of all points that the points of a childless cell meet one by one, its own among
+/// them.
+///
+/// turning   points at the same place count
+void Full::near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const {
+  runs.clear();
+  const auto cells = tree_.cells();
+  const std::uint32_t own = tree_.childless()[leaf];
+  const auto add = [&](std::uint32_t c) { runs.push_back(leaves_.places(lists_.leaves(c))); };
+  const bool idle = !turning && leaves_.in_one_place(leaf);
+  if (lists_.neighbors(own)[Lists::middle] != nobody && !idle) add(own);
+  lists_.for_each_ahead(own, add);
+  lists_.for_each_behind(own, add);
+  for (auto c = static_cast<std::int32_t>(own); c != nobody; c = cells[c].parent) {
+    for (const std::uint32_t q : lists_.refused(static_cast<std::uint32_t>(c))) add(q);
+  }
+  std::ranges::sort(runs, {}, &tree::Range::first);
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    if (runs[k].first == runs[last].last) {
+      runs[last].last = runs[k].last;
+    } else {
+      runs[++last] = runs[k];
+    }
+  }
+  if (!runs.empty()) runs.resize(last + 1);
+}
+
+namespace {
+
+/// The slopes at the points of a childless cell.
+FieldTargets slopes_of(const Leaves& leaves, std::uint32_t leaf,
+                       const std::array<double*, slope_sums>& to) {
+  const std::uint32_t first = leaves.start[leaf];
+  return {&leaves.points.x[first],
+          &leaves.points.y[first],
+          nullptr,
+          {to[2] + first, to[3] + first, to[4] + first},
+          leaves.size[leaf]};
+}
+
+}  // namespace
+
+/// The series of a cell and of its W, where they are asked for.
+template <std::size_t sums>
+void Full::add_far(tree::Range slab, const Sums<sums>& to) const {
+  std::visit(
+      [&](const auto& far) {
+        for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+          const std::uint32_t first = leaves_.start[leaf], own = tree_.childless()[leaf];
+          const double *x = &leaves_.points.x[first], *y = &leaves_.points.y[first];
+          const NearTargets at{x, y, nullptr, to[0] + first, to[1] + first, leaves_.size[leaf]};
+          far.l2p(stage(), own, at);
+          for (const std::uint32_t c : lists_.w(leaf)) far.m2p(stage(), c, at);
+          if constexpr (sums == slope_sums) {
+            const FieldTargets slopes = slopes_of(leaves_, leaf, to);
+            Gradient{}.add_local(far.view_local(own), tree_.frame(own), own, slopes);
+            for (const std::uint32_t c : lists_.w(leaf)) {
+              Gradient{}.add_multipole(far.view_multipole(c), tree_.frame(c), slopes);
+            }
+          }
+        }
+      },
+      far_);
+}
+
+template <std::size_t sums>
+void Full::add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& to) const {
+  constexpr bool slopes = sums == slope_sums;
+  if (!leaves_.cored()) scratch.bare.add(slab, to[0], to[1]);
+  if (!leaves_.cored() && !slopes) return;
+  const tree::Range places = leaves_.places(slab);
+  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+    near_runs(leaf, slopes && leaves_.cored(), scratch.runs);
+    if (leaves_.cored()) {
+      scratch.cored.add(leaf, places, scratch.runs, to);
+    } else if constexpr (slopes) {
+      scratch.take_sources(leaves_);
+      Gradient{}.add_bare(scratch.sources, slopes_of(leaves_, leaf, to));
+    }
+  }
+}
+
+/// From the sums of a slab to what was asked for.
+template <std::size_t sums>
+void Full::hand_out(tree::Range slab, const Sums<sums>& all, const Sums<sums>& results) const {
+  const tree::Range places = leaves_.places(slab);
+  const auto some = [&](std::size_t s) { return std::span(all[s] + places.first, places.size()); };
+  for (std::size_t s = 0; s < velocity_sums; ++s) units_.to_velocity(some(s));
+  if constexpr (sums == slope_sums) finish_gradient(units_, some(3), some(2), some(4));
+  const auto cells = tree_.cells();
+  const auto order = tree_.order();
+  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+    const tree::Range points = cells[tree_.childless()[leaf]].points;
+    const std::uint32_t first = leaves_.start[leaf] - points.first;
+    for (std::uint32_t j = points.first; j < points.last; ++j) {
+      for (std::size_t s = 0; s < sums; ++s) results[s][order[j]] = all[s][first + j];
+    }
+  }
+}
+
+template <std::size_t sums>
+void Full::sweep(const Sums<sums>& results) const {
+  if (phase_) phase_("near");
+  std::array<Reals, sums> memory;
+  Sums<sums> all;
+  for (std::size_t s = 0; s < sums; ++s) {
+    memory[s].resize(leaves_.places());
+    all[s] = memory[s].data();
+  }
+#pragma omp parallel
+  {
+    Scratch<sums> scratch{
+        {tree_, lists_, leaves_, coarse(options_)},
+        {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)},
+        {},
+        {}};
+#pragma omp for schedule(dynamic)
+    for (std::size_t s = 0; s < slabs_.size(); ++s) {
+      const tree::Range slab = slabs_[s], places = leaves_.places(slab);
+      for (double* sum : all) std::fill_n(sum + places.first, places.size(), 0.0);
+      add_near(slab, scratch, all);
+      add_far(slab, all);
+      hand_out(slab, all, results);
+    }
+  }
+}
+
+void Full::velocity(std::span<double> u, std::span<double> v) const {
+  sweep<velocity_sums>({u.data(), v.data()});
+}
+
+void Full::velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                                 std::span<double> uy, std::span<double> vx) const {
+  sweep<slope_sums>({u.data(), v.data(), uy.data(), ux.data(), vx.data()});
+}
+
+}  // namespace vortree::fmm
