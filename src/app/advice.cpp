@@ -38,13 +38,13 @@ void doubt_body(List& list, const io::Scene& scene, double speed) {
         dt, turn, 0.02 * std::sqrt(550 * nu / (speed * size)) * size / speed));
   const double around = io::perimeter_of(*scene.body);
   const double panel = around / scene.body->panels, thin = scene.cores.sigma_0;
-  if (panel > 3 * thin)
+  if (panel > 6 * thin)
     list.push_back(fmt::format(
         "body.panels = {}: panels of {:.2g} are {:.2g} released cores long, so that "
         "fresh vorticity "
         "has gaps along the wall: the drag will be noisy, by percents and more; {} are enough",
         scene.body->panels, panel, panel / thin,
-        static_cast<int>(std::ceil(around / (1.42 * thin)))));
+        static_cast<int>(std::ceil(around / (2.4 * thin)))));
   const double edge = io::edge_of(*scene.body) * size;
   if (scene.body->shape == io::Shape::naca0012 && panel > 1.5 * edge)
     list.push_back(fmt::format(

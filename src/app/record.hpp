@@ -65,6 +65,7 @@ class History {
   void restore(std::span<const double> values);
 
  private:
+  Record with_forces_at(const Record& now) const;
   Record with_forces(const Record& record, vortex::Vec2 by_impulse, vortex::Vec2 by_wall) const;
 
   const FlowCase& flow_;

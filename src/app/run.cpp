@@ -150,6 +150,8 @@ void Run::resume() {
   step_ = saved_step_ = frame.step;
   flow_.problem.time = time(step_);
   blobs_ = {frame.x, frame.y, frame.gamma, frame.sigma};
+  blobs_.xx = frame.state.at("covariance_xx");
+  blobs_.xy = frame.state.at("covariance_xy");
   history_.restore(frame.state.at("history"));
   const std::vector<double>& t = frame.state.at("totals");
   totals_ = {t.at(0), t.at(1), t.at(2), t.at(3)};
@@ -239,6 +241,8 @@ void Run::save() {
                   .u = u.u,
                   .v = u.v,
                   .state = {}};
+  frame.state["covariance_xx"] = blobs_.xx;
+  frame.state["covariance_xy"] = blobs_.xy;
   frame.state["history"] = history_.saved();
   frame.state["totals"] = {totals_.particle_steps, totals_.most_blobs,
                            totals_.seconds + watch_.elapsed(), totals_.largest_drift,

@@ -53,12 +53,12 @@ Choice past_body(const Scene& scene, double e) {
              : std::min(std::min(2 * e, 0.02 * std::sqrt(550 / reynolds)) * length / speed,
                         period / 100);
   c.sigma_max = std::max(4 * std::sqrt(e * nu * length / speed), std::sqrt(4 * nu * c.dt));
-  c.sigma_0 = std::min(std::sqrt(nu * c.dt), c.sigma_max);
+  c.sigma_0 = std::min(std::sqrt(2 * nu * c.dt), c.sigma_max);
   c.merging = 0.4 * std::sqrt(e) * speed;
   c.reach = 3;
   c.cap = 1.2;
   c.velocity = std::clamp(e / 1000, 1e-12, 1e-3);
-  double panel = 1.42 * c.sigma_0;
+  double panel = 2.4 * c.sigma_0;
   if (scene.body->shape == Shape::naca0012)
     panel = std::min(panel, 0.7 * edge_of(*scene.body) * length);
   c.panels = static_cast<int>(std::clamp(perimeter_of(*scene.body) / panel, 128.0, 4000.0));
@@ -99,7 +99,10 @@ void choose_missing(const Document& document, Scene& scene) {
     fill("merging", "reach", scene.merging.reach, c.reach);
     fill("merging", "cap", scene.merging.cap, c.cap);
     fill("velocity", "tolerance", scene.velocity.tolerance, c.velocity);
-    if (body) fill("body", "panels", scene.body->panels, c.panels);
+    if (body) {
+      fill("body", "panels", scene.body->panels, c.panels);
+      fill("velocity", "cores", scene.velocity.cores, PairCores::both);
+    }
   }
   const auto require = [&](std::string_view table, std::string_view key, double value) {
     if (value == 0)

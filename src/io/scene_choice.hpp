@@ -16,10 +16,10 @@ namespace vortree::io {
 ///                                           not below the sqrt(4 nu dt) that a step adds
 ///   dt        = min(2 e, 0.02 sqrt(550/Re)) D/U     the wall's vorticity turns less than 1 rad
 ///                                           and a plunge has 100 steps a period
-///   sigma_0   = sqrt(nu dt)                 panels: 1.42 sigma_0 long, 0.7 of the radius of a
+///   sigma_0   = sqrt(2 nu dt)               panels: 2.4 sigma_0 long, 0.7 of the radius of a
 ///                                           trailing edge at most, 128 to 4000 of them
 ///   merging.tolerance = 0.4 sqrt(e) U,  merging.reach = 3,  merging.cap = 1.2
-///   velocity.tolerance = e/1000
+///   velocity.tolerance = e/1000,  velocity.cores = "both"
 ///
 /// In free space, with L the least width and omega the mean vorticity of the initial vortex, e the
 /// relative error of its quadrupole (measured on gaussian_ellipse):

@@ -7,21 +7,32 @@
 namespace vortree::vortex {
 namespace {
 
-struct ActingCore {
-  Vec2 at;
-  double sigma;
+/// What is nearest of a wall that the core reaches, and the core in its frame; or nothing.
+struct Beside {
+  bool reached = false;
+  WallPoint wall{};
+  Covariance core{};
+
+  Beside(Vec2 at, const Core& own, const Shape* shape) {
+    if (!shape || shape->beyond(at, folded::reach * widest(own))) return;
+    wall = shape->nearest(at);
+    core = own.covariance(wall.normal);
+    reached = folded::applies(wall.distance, sigma());
+  }
+  double sigma() const { return std::sqrt(2 * core.nn); }
 };
 
-ActingCore acting_core(Vec2 centre, double sigma, const Shape& wall) {
-  if (wall.beyond(centre, folded::reach * sigma)) return {centre, sigma};
-  const WallPoint w = wall.nearest(centre);
-  if (!folded::applies(w.distance, sigma)) return {centre, sigma};
-  const double m = folded::mean_distance(w.distance, sigma, w.curvature);
-  const double across = folded::variance_across(w.distance, sigma, m);
-  return {centre + (m - w.distance) * w.normal, std::sqrt((sigma * sigma + 2 * across) / 2)};
-}
-
 }  // namespace
+
+Placed acting_blob(Vec2 centre, const Core& core, const Shape* shape) {
+  const Beside blob(centre, core, shape);
+  if (!blob.reached) return {centre, core};
+  const WallPoint& w = blob.wall;
+  const double m = folded::mean_distance(w.distance, blob.sigma(), w.curvature);
+  const double across = folded::variance_across(w.distance, blob.sigma(), m);
+  return {centre + (m - w.distance) * w.normal,
+          core_of({across, blob.core.nt, blob.core.tt}, w.normal)};
+}
 
 Acting acting(const Blobs& blobs, const Shape* wall) {
   Acting result{blobs.x, blobs.y, blobs.sigma};
@@ -29,24 +40,43 @@ Acting acting(const Blobs& blobs, const Shape* wall) {
   const std::ptrdiff_t n = std::ssize(blobs.x);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const ActingCore core = acting_core(blobs.centre(i), blobs.sigma[i], *wall);
-    result.x[i] = core.at.x;
-    result.y[i] = core.at.y;
-    result.sigma[i] = core.sigma;
+    const Placed blob = acting_blob(blobs.centre(i), blobs.core(i), wall);
+    result.x[i] = blob.centre.x;
+    result.y[i] = blob.centre.y;
+    result.sigma[i] = std::sqrt(blob.core.square);
   }
   return result;
 }
 
-Vec2 acting_position(Vec2 centre, double sigma, const Shape* wall) {
-  return wall ? acting_core(centre, sigma, *wall).at : centre;
+Placed place(Vec2 mean, const Core& core, const Shape* shape) {
+  const Beside blob(mean, core, shape);
+  if (!blob.reached) return {mean, core};
+  const WallPoint& w = blob.wall;
+  const folded::Gaussian seen = folded::place(w.distance, blob.sigma(), w.curvature);
+  return {mean + (seen.y - w.distance) * w.normal,
+          core_of({seen.s * seen.s / 2, blob.core.nt, blob.core.tt}, w.normal)};
 }
 
-Placed place(Vec2 mean, double sigma, const Shape* wall) {
-  if (!wall || wall->beyond(mean, folded::reach * sigma)) return {mean, sigma};
-  const WallPoint w = wall->nearest(mean);
-  if (!folded::applies(w.distance, sigma)) return {mean, sigma};
-  const folded::Core core = folded::place(w.distance, sigma, w.curvature);
-  return {mean + (core.y - w.distance) * w.normal, core.s};
+Placed place_acting(const Placed& acting, const Shape* shape) {
+  const Beside blob(acting.centre, acting.core, shape);
+  if (!blob.reached) return acting;
+  const WallPoint& w = blob.wall;
+  const folded::Gaussian seen = folded::place_with_variance(w.distance, blob.core.nn, w.curvature);
+  return {acting.centre + (seen.y - w.distance) * w.normal,
+          core_of({seen.s * seen.s / 2, blob.core.nt, blob.core.tt}, w.normal)};
+}
+
+Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double dt,
+                const Shape* shape) {
+  const Placed before = acting_blob(blob.centre, blob.core, shape);
+  Placed after{before.centre + way, carried(before.core, gradient, dt)};
+  if (const Beside beside(blob.centre, blob.core, shape); beside.reached) {
+    const Vec2 n = beside.wall.normal;
+    Covariance v = after.core.covariance(n);
+    v.tt = before.core.covariance(n).tt;
+    after.core = core_of(v, n);
+  }
+  return place_acting(after, shape);
 }
 
 }  // namespace vortree::vortex

@@ -3,7 +3,7 @@
 namespace vortree::vortex {
 namespace {
 
-/// Blobs of `start`, carried from their acting positions by dt u.
+/// Blobs of `start`, carried from their acting positions by dt u; their cores as they are.
 Blobs carried(const Blobs& start, const Acting& from, const Velocities& u, const Shape* wall,
               double dt) {
   Blobs blobs = start;
@@ -11,8 +11,22 @@ Blobs carried(const Blobs& start, const Acting& from, const Velocities& u, const
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Vec2 to{from.x[i] + dt * u.u[i], from.y[i] + dt * u.v[i]};
-    const Placed blob = place(to, start.sigma[i], wall);
-    blobs.put(i, blob.centre, blobs.gamma[i], blob.sigma);
+    const Placed blob = place(to, start.core(i), wall);
+    blobs.put(i, blob.centre, blobs.gamma[i], blob.core);
+  }
+  return blobs;
+}
+
+/// The same, with cores that are strained on the way.
+Blobs strained(const Blobs& start, const Velocities& u, const Gradients& g, const Shape* wall,
+               double dt) {
+  Blobs blobs = start;
+  const std::ptrdiff_t n = std::ssize(blobs.x);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const Placed blob = strained({start.centre(i), start.core(i)}, dt * Vec2{u.u[i], u.v[i]},
+                                 {g.ux[i], g.uy[i], g.vx[i]}, dt, wall);
+    blobs.put(i, blob.centre, blobs.gamma[i], blob.core);
   }
   return blobs;
 }
@@ -26,29 +40,32 @@ void add(Velocities& sum, double weight, const Velocities& u) {
 
 }  // namespace
 
-void convect(Blobs& blobs, const Carrying& velocity, const Shape* wall, Scheme scheme, double dt) {
+void convect(Blobs& blobs, const Carrying& velocity, const Shape* wall, Scheme scheme, double dt,
+             bool strains) {
   const Acting from = acting(blobs, wall);
+  Gradients gradients;
   const auto moved = [&](const Velocities& u, double h) {
     return carried(blobs, from, u, wall, h);
   };
-  const auto at = [&](const Blobs& stage, double h) {
-    return velocity(stage, acting(stage, wall), h);
+  const auto at = [&](const Blobs& stage, double h, Gradients* g = nullptr) {
+    return velocity(stage, acting(stage, wall), h, g);
   };
+  const auto finish = [&](const Velocities& u) {
+    blobs = strains ? strained(blobs, u, gradients, wall, dt) : moved(u, dt);
+  };
+  Gradients* const wanted = strains ? &gradients : nullptr;
 
-  const Velocities k1 = velocity(blobs, from, 0);
+  const Velocities k1 = velocity(blobs, from, 0, nullptr);
+  if (scheme == Scheme::rk2) return finish(at(moved(k1, dt / 2), dt / 2, wanted));
   const Velocities k2 = at(moved(k1, dt / 2), dt / 2);
-  if (scheme == Scheme::rk2) {
-    blobs = moved(k2, dt);
-    return;
-  }
-  const Velocities k3 = at(moved(k2, dt / 2), dt / 2);
+  const Velocities k3 = at(moved(k2, dt / 2), dt / 2, wanted);
   const Velocities k4 = at(moved(k3, dt), dt);
   Velocities mean(blobs.size());
   add(mean, 1.0 / 6, k1);
   add(mean, 1.0 / 3, k2);
   add(mean, 1.0 / 3, k3);
   add(mean, 1.0 / 6, k4);
-  blobs = moved(mean, dt);
+  finish(mean);
 }
 
 }  // namespace vortree::vortex

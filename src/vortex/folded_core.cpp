@@ -49,7 +49,7 @@ Profile profile(double q) {
   return at;
 }
 
-Core place(double m, double s, double kappa) {
+Gaussian place(double m, double s, double kappa) {
   if (!applies(m, s)) return {m, s};
   m = std::max(m, thinnest * s * inverse_sqrt_pi);
   const double bend = folded::bend(s, kappa);
@@ -72,6 +72,36 @@ Core place(double m, double s, double kappa) {
     if (settled) break;
   }
   return {y, s};
+}
+
+namespace {
+
+/// q = y/s of which (1/2 + q^2)/mu(q)^2 is `second`, E[n^2]/E[n]^2 of a core at a flat wall: pi/2
+/// at q = 0, whence it falls as 1 - 2/3 q^4.
+double depth(double second) {
+  constexpr double at_wall = 0.5 / (inverse_sqrt_pi * inverse_sqrt_pi);
+  const double quartic = std::sqrt(std::sqrt(1.5 * (1 - second / at_wall)));
+  double q = quartic < 0.6 ? quartic : std::sqrt(0.5 / (second - 1));
+  for (int k = 0; k < 20 && q < reach; ++k) {
+    const Profile p = profile(q);
+    const double ratio = (0.5 + q * q) / (p.mean * p.mean);
+    const double slope = 2 * (q - ratio * p.mean * p.erf) / (p.mean * p.mean);
+    const double next = std::max(q - (ratio - second) / slope, q / 2);
+    if (std::abs(next - q) <= 1e-7 * q) return next;
+    q = next;
+  }
+  return q;
+}
+
+}  // namespace
+
+Gaussian place_with_variance(double m, double v_n, double kappa) {
+  constexpr double widest = 0.5 / (inverse_sqrt_pi * inverse_sqrt_pi) - 1;
+  m = std::max(m, thinnest * inverse_sqrt_pi * std::sqrt(2 * v_n));
+  if (v_n >= (widest - 1e-9) * m * m) return place(m, 2 * m / inverse_sqrt_pi, kappa);
+  const double q = depth(1 + v_n / (m * m));
+  const double s = q < reach ? m / profile(q).mean : std::sqrt(2 * v_n);
+  return place(m, s, kappa);
 }
 
 }  // namespace vortree::vortex::folded

@@ -53,14 +53,19 @@ inline double variance_across(double y, double s, double m) {
   return s * s / 2 + y * y - m * m;
 }
 
-/// A core as seen from the wall.
-struct Core {
+/// What is folded: a Gaussian by the distance of its centre and its width.
+struct Gaussian {
   double y, s;
 };
 
 /// The core whose mean distance is m: the centre is found for the given s; where even a centre on
 /// the wall lies too far out (m < s/sqrt(pi)), the core is squeezed, never below `thinnest` of it.
-Core place(double m, double s, double kappa);
+Gaussian place(double m, double s, double kappa);
+
+/// The core whose mean distance is m and whose variance across the wall is v_n. A wider
+/// distribution than that of a centre on the wall, v_n > (pi/2 - 1) m^2, is none of a folded core:
+/// it gets the mean alone.
+Gaussian place_with_variance(double m, double v_n, double kappa);
 
 }  // namespace folded
 }  // namespace vortree::vortex

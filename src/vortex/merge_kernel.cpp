@@ -2,28 +2,47 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace vortree::vortex::merge_kernel {
+
+namespace {
+
+Vec2 unit(Vec2 a) {
+  return (1 / std::sqrt(dot(a, a))) * a;
+}
+
+/// What lies beside the wall of both, the second's share added to the first's. Tilt is that of
+/// acting positions.
+void merge_at_wall(Part& p, const Part& q, double w, Covariance& spread, Vec2& normal,
+                   std::span<AtWall> at_wall) {
+  const std::uint32_t slot = p.at_wall != no_wall ? p.at_wall : q.at_wall;
+  const AtWall& other = at_wall[q.at_wall != no_wall ? q.at_wall : slot];
+  const Vec2 offset_p = p.at_wall != no_wall ? at_wall[p.at_wall].offset : Vec2{};
+  const Vec2 offset_q = q.at_wall != no_wall ? at_wall[q.at_wall].offset : Vec2{};
+  normal = unit(at_wall[slot].normal + other.normal);
+  const Vec2 tangent{-normal.y, normal.x};
+  const Vec2 apart = p.centre() - q.centre(), acting = apart + offset_p - offset_q;
+  spread = {dot(normal, apart) * dot(normal, apart), dot(normal, acting) * dot(tangent, acting),
+            dot(tangent, apart) * dot(tangent, apart)};
+  at_wall[slot] = {w * offset_p + (1 - w) * offset_q, normal, true};
+  p.at_wall = slot;
+}
+
+}  // namespace
 
 void merge(Part& p, const Part& q, std::span<AtWall> at_wall) {
   const double gamma = p.gamma + q.gamma, w = gamma != 0 ? p.gamma / gamma : 0.5;
   const Vec2 apart = p.centre() - q.centre();
-  double spread = w * (1 - w) * dot(apart, apart);
-  if (p.at_wall != no_wall || q.at_wall != no_wall) {
-    const std::uint32_t slot = p.at_wall != no_wall ? p.at_wall : q.at_wall;
-    const AtWall& other = at_wall[q.at_wall != no_wall ? q.at_wall : slot];
-    const Vec2 offset_p = p.at_wall != no_wall ? at_wall[p.at_wall].offset : Vec2{};
-    const Vec2 offset_q = q.at_wall != no_wall ? at_wall[q.at_wall].offset : Vec2{};
-    const Vec2 normal = 0.5 * (at_wall[slot].normal + other.normal);
-    const double across = dot(normal, apart);
-    spread = 2 * w * (1 - w) * across * across;
-    at_wall[slot] = {w * offset_p + (1 - w) * offset_q, normal, true};
-    p.at_wall = slot;
-  }
+  Vec2 axis{1, 0};
+  Covariance spread{apart.x * apart.x, apart.x * apart.y, apart.y * apart.y};
+  if (p.at_wall != no_wall || q.at_wall != no_wall) merge_at_wall(p, q, w, spread, axis, at_wall);
+  const Core between = core_of(spread, axis);
   const Vec2 at = w * p.centre() + (1 - w) * q.centre();
   p.x = at.x;
   p.y = at.y;
-  p.square = w * p.square + (1 - w) * q.square + spread;
+  p.square = w * p.square + (1 - w) * q.square + w * (1 - w) * between.square;
+  p.deviator = w * p.deviator + (1 - w) * q.deviator + w * (1 - w) * between.deviator;
   p.gamma = gamma;
   p.widening = std::min(p.widening, q.widening);
 }

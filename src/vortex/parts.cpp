@@ -1,14 +1,15 @@
 #include "vortex/parts.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "vortex/folded_core.hpp"
 
 namespace vortree::vortex {
 
-AtWall beside(const WallPoint& nearest, double sigma) {
-  const double y = nearest.distance;
-  const double out = folded::mean_distance(y, sigma, nearest.curvature) - y;
+AtWall beside(const WallPoint& nearest, const Core& core) {
+  const double y = nearest.distance, s = std::sqrt(2 * core.covariance(nearest.normal).nn);
+  const double out = folded::mean_distance(y, s, nearest.curvature) - y;
   return {out * nearest.normal, nearest.normal, false};
 }
 
@@ -17,14 +18,28 @@ Parts loosened(const Blobs& blobs, const Shape* wall) {
   Parts parts;
   parts.all.resize(n);
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const double s = blobs.sigma[i];
-    parts.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], s * s, no_wall, 1};
-    if (!wall || wall->distance(blobs.centre(i)) >= knows_wall * s) continue;
+    const Core core = blobs.core(i);
+    parts.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], core.square, core.deviator, no_wall, 1};
+    if (!wall || wall->distance(blobs.centre(i)) >= folded::reach * widest(core)) continue;
     parts.all[i].at_wall = static_cast<std::uint32_t>(parts.at_wall.size());
-    parts.at_wall.push_back(beside(wall->nearest(blobs.centre(i)), s));
+    parts.at_wall.push_back(beside(wall->nearest(blobs.centre(i)), core));
   }
   return parts;
 }
+
+namespace {
+
+/// The blob with the mean and the mean square of the part's distance from the wall.
+Placed settled(const Part& p, Vec2 offset, const Shape& wall) {
+  const WallPoint w = wall.nearest(p.centre());
+  Covariance v = p.core().covariance(w.normal);
+  const Vec2 acting = p.centre() + offset;
+  const double m = wall.distance(acting);
+  v.nn = std::max(v.nn + w.distance * w.distance - m * m, 0.01 * p.square);
+  return place_acting({acting, core_of(v, w.normal)}, &wall);
+}
+
+}  // namespace
 
 Blobs settled(const Parts& parts, const Shape* wall) {
   const std::ptrdiff_t n = std::ssize(parts.all);
@@ -33,10 +48,10 @@ Blobs settled(const Parts& parts, const Shape* wall) {
 #pragma omp parallel for schedule(dynamic, 512)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Part& p = parts.all[i];
-    Placed blob{p.centre(), std::sqrt(p.square)};
+    Placed blob{p.centre(), p.core()};
     if (p.at_wall != no_wall && parts.at_wall[p.at_wall].moved)
-      blob = place(p.centre() + parts.at_wall[p.at_wall].offset, blob.sigma, wall);
-    blobs.put(i, blob.centre, p.gamma, blob.sigma);
+      blob = settled(p, parts.at_wall[p.at_wall].offset, *wall);
+    blobs.put(i, blob.centre, p.gamma, blob.core);
   }
   return blobs;
 }

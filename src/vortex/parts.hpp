@@ -8,22 +8,26 @@
 
 namespace vortree::vortex {
 
-/// A blob in the midst of splitting and merging: its centre, circulation, and sigma squared.
+/// A blob in the midst of splitting and merging: its centre, circulation, sigma squared, and the
+/// traceless part of its covariance.
 ///
 /// at_wall   number of what is known of it beside the wall, or no_wall
 /// widening  how many times wider cores may be where it is (coarsening.hpp)
 struct Part {
   double x, y, gamma, square;
+  Deviator deviator;
   std::uint32_t at_wall;
   float widening;
 
   Vec2 centre() const { return {x, y}; }
+  Core core() const { return {square, deviator}; }
 };
 
 inline constexpr std::uint32_t no_wall = ~0u;
 
-/// What a part beside a wall knows besides. Only its acting position, centre + offset, is held to;
-/// the centre serves to find partners until the core is put around the acting position at the end.
+/// What a part beside a wall knows besides. Its mean distance and the mean square of it are held
+/// to, by its acting position, centre + offset, and by centre and core; the core is put around them
+/// at the end.
 ///
 /// normal  of the wall, outward
 /// moved   the core is still to be put there
@@ -33,18 +37,14 @@ struct AtWall {
 };
 
 /// The parts of a flow. Splitting and merging conserve sum gamma (centre + offset) exactly, without
-/// an inverse of the folded mean for each child and each merger: one for each blob that is left.
+/// an inverse of the folded moments for each child and each merger: one for each blob that is left.
 struct Parts {
   Unwritten<Part> all;
   std::vector<AtWall> at_wall;
 };
 
-/// How near the wall a blob's part knows of it [cores]: further than it acts at another place, for
-/// mergers there must not diffuse along the wall either.
-inline constexpr double knows_wall = 8;
-
 /// What a part with this core knows of the wall point nearest to its centre.
-AtWall beside(const WallPoint& nearest, double sigma);
+AtWall beside(const WallPoint& nearest, const Core& core);
 
 Parts loosened(const Blobs& blobs, const Shape* wall);
 Blobs settled(const Parts& parts, const Shape* wall);

@@ -13,7 +13,7 @@ Retired retire_but(Blobs& blobs, auto stays) {
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     const Vec2 at = blobs.centre(i);
     if (stays(i))
-      blobs.put(left++, at, blobs.gamma[i], blobs.sigma[i]);
+      blobs.put(left++, at, blobs.gamma[i], blobs.core(i));
     else
       gone = gone + Retired{blobs.gamma[i], blobs.gamma[i] * at};
   }

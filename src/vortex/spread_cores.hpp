@@ -1,11 +1,17 @@
 #pragma once
 
 #include "vortex/blobs.hpp"
+#include "vortex/shape.hpp"
 
 namespace vortree::vortex {
 
-/// Diffusion: sigma^2 += 4 nu dt, the exact solution for each Gaussian, folded or free.
-/// source  Leonard, J. Comput. Phys. 37 (1980)
-void spread_cores(Blobs& blobs, double nu, double dt);
+/// Viscosity by core spreading: sigma^2 += 4 nu dt, the exact solution for a Gaussian, also folded
+/// at a flat wall. There the wall takes the tilt V_nt of what stands on it:
+///
+///   d V_nt/dt = -nu omega(0) m/v_n V_nt,   omega(0) = 2/(sqrt(pi) sigma) exp(-y^2/sigma^2),
+///
+/// because what is at the wall lies -V_nt m/v_n behind the mean (error: its mean taken for linear
+/// in the distance).
+void spread_cores(Blobs& blobs, double nu, double dt, const Shape* wall = nullptr);
 
 }  // namespace vortree::vortex

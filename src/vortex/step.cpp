@@ -1,5 +1,6 @@
 #include "vortex/step.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -29,15 +30,23 @@ fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
   return {at.x, at.y, blobs.gamma, at.sigma};
 }
 
-/// Velocity of the blobs at their acting positions, with stream and wall.
-Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2 stream) {
+/// Velocity of the blobs at their acting positions, with stream and wall; and its gradient, if
+/// wanted, without the sheet's.
+Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2 stream,
+                    Gradients* gradients) {
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
   Acting carrying = at;
   if (p.carrying_cores != 1)
     for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
-  p.velocity->upon_itself_and(as_sources(blobs, carrying),
-                              p.wall ? p.wall->samples() : tree::Points{}, u, at_samples);
+  const fmm::Blobs sources = as_sources(blobs, carrying);
+  const tree::Points samples = p.wall ? p.wall->samples() : tree::Points{};
+  if (gradients) {
+    *gradients = Gradients(blobs.size());
+    p.velocity->upon_itself_and(sources, samples, u, *gradients, at_samples);
+  } else {
+    p.velocity->upon_itself_and(sources, samples, u, at_samples);
+  }
   add_stream(u, stream);
   if (p.wall) {
     const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
@@ -67,9 +76,15 @@ AtRest with_sheet(tree::Points points, const Blobs& blobs, const Acting& at, con
   return result;
 }
 
+/// Blobs of this core across the wall; along it as long as a panel, which leaves a ripple of 1e-4
+/// between neighbors.
 void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, double core) {
-  for (std::size_t i = 0; i < wall.panels(); ++i)
-    blobs.append(wall.middle(i), sheet[i] * wall.panel_length(), core);
+  const double along = std::max(core, wall.panel_length());
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const Vec2 t = wall.tangent(i);
+    blobs.append(wall.middle(i), sheet[i] * wall.panel_length(),
+                 core_of({core * core / 2, 0, along * along / 2}, {t.y, -t.x}));
+  }
 }
 
 Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
@@ -88,8 +103,8 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   return wake;
 }
 
-void diffuse(Blobs& blobs, const Problem& p, std::uint64_t number) {
-  if (p.diffusion == Diffusion::core_spreading) return spread_cores(blobs, p.flow.nu, p.dt);
+/// Diffusion that is no core spreading.
+void scatter(Blobs& blobs, const Problem& p, std::uint64_t number) {
   if (p.wall)
     throw std::invalid_argument("beside a wall vorticity diffuses by core spreading only");
   if (p.diffusion == Diffusion::random_walk)
@@ -98,25 +113,53 @@ void diffuse(Blobs& blobs, const Problem& p, std::uint64_t number) {
     exchange_strength(blobs, p.flow.nu, p.dt, p.sigma_0, p.area);
 }
 
+/// In how many parts a step is done: after an impulsive start the flow changes as fast as it is
+/// young.
+int parts_of(const Problem& p, std::uint64_t number) {
+  constexpr int of_first = 8;
+  return p.wall ? std::max(
+                      1, of_first / static_cast<int>(std::min<std::uint64_t>(number, of_first + 1)))
+                : 1;
+}
+
+/// The problem with a step of dt/parts, and cores and mergers as they go with it.
+Problem in_parts_of(const Problem& whole, int parts) {
+  Problem p = whole;
+  const double finer = 1 / std::sqrt(static_cast<double>(parts));
+  p.dt /= parts;
+  for (double* scale :
+       {&p.sigma_0, &p.splitting.sigma_max, &p.merging.sigma_max, &p.merging.tolerance})
+    *scale *= finer;
+  return p;
+}
+
 }  // namespace
 
 Wake start(Blobs& blobs, const Problem& p) {
   // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
   // step.
-  return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * p.dt)) : Wake{};
+  const double dt = p.dt / parts_of(p, 1);
+  return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * dt)) : Wake{};
 }
 
-Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& phase) {
+namespace {
+
+Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& phase) {
   const Shape* shape = p.wall ? &p.wall->shape() : nullptr;
   Wake wake;
   phase("convect");
+  const bool spreads = p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading;
+  if (spreads) spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
   convect(
       blobs,
-      [&](const Blobs& b, const Acting& at, double after) {
-        return carrying(b, at, p, p.flow.stream_at(p.time + after));
+      [&](const Blobs& b, const Acting& at, double after, Gradients* gradients) {
+        return carrying(b, at, p, p.flow.stream_at(p.time + after), gradients);
       },
-      shape, p.scheme, p.dt);
-  if (p.flow.nu > 0) diffuse(blobs, p, number);
+      shape, p.scheme, p.dt, spreads);
+  if (spreads)
+    spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
+  else if (p.flow.nu > 0)
+    scatter(blobs, p, number);
   if (p.wall) {
     phase("wall");
     wake = cancel_slip(blobs, p, p.time + p.dt, p.sigma_0);
@@ -132,6 +175,24 @@ Wake step(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& pha
   if (p.box) wake.retired = wake.retired + retire(blobs, *p.box);
   if (p.faintest > 0) wake.retired = wake.retired + retire(blobs, p.faintest);
   wake.retired.drift(p.flow.way(p.time, p.dt));
+  return wake;
+}
+
+}  // namespace
+
+Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const Phase& phase) {
+  const int parts = parts_of(whole, number);
+  if (parts == 1) return step_in_one(blobs, whole, number, phase);
+  Problem p = in_parts_of(whole, parts);
+  Wake wake;
+  Vec2 pressure;
+  for (int k = 0; k < parts; ++k) {
+    wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
+    pressure += (1.0 / parts) * wake.pressure;
+    p.retired = wake.retired;
+    p.time += p.dt;
+  }
+  wake.pressure = pressure;
   return wake;
 }
 

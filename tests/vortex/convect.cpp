@@ -16,7 +16,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 vortex::Carrying direct_sum(fmm::Cores cores, Vec2 stream = {}) {
-  return [=](const Blobs& blobs, const Acting& at, double) {
+  return [=](const Blobs& blobs, const Acting& at, double, vortex::Gradients*) {
     vortex::Velocities u(blobs.size());
     velocity_direct({at.x, at.y, blobs.gamma, at.sigma}, {at.x, at.y, at.sigma}, cores, u.u, u.v);
     for (double& a : u.u) a += stream.x;
@@ -67,7 +67,7 @@ TEST_CASE("two blobs of unlike cores turn about each other: rk2 errs as dt^2, rk
 
 TEST_CASE("a stream alone carries blobs straight, whatever the step") {
   const Blobs blobs = test::cloud(10, 0.1, 0.2);
-  const vortex::Carrying stream = [](const Blobs& b, const Acting&, double) {
+  const vortex::Carrying stream = [](const Blobs& b, const Acting&, double, vortex::Gradients*) {
     vortex::Velocities u(b.size());
     for (double& a : u.u) a = 2;
     for (double& a : u.v) a = -1;
@@ -115,7 +115,7 @@ TEST_CASE("past a wall the acting position is what moves, and no centre enters t
   blobs.append({0.51, 0}, 1, 0.02);
   blobs.append({-0.505, 0}, 1, 0.02);
   const Acting before = acting(blobs, wall.get());
-  const vortex::Carrying right = [](const Blobs& b, const Acting&, double) {
+  const vortex::Carrying right = [](const Blobs& b, const Acting&, double, vortex::Gradients*) {
     vortex::Velocities u(b.size());
     for (double& a : u.u) a = 1;
     return u;

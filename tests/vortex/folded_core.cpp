@@ -60,7 +60,7 @@ TEST_CASE("mean and variance of a folded core at a flat wall are the quadrature'
 TEST_CASE("a core far from the wall is free: its mean is its centre, its variance sigma^2/2") {
   CHECK(folded::mean_distance(0.41, 0.1, 2.0) == 0.41);
   CHECK(folded::variance_across(0.41, 0.1, 0.41) == Approx(0.1 * 0.1 / 2).epsilon(1e-15));
-  const folded::Core free = folded::place(0.41, 0.1, 2.0);
+  const folded::Gaussian free = folded::place(0.41, 0.1, 2.0);
   CHECK(free.y == 0.41);
   CHECK(free.s == 0.1);
 }
@@ -77,7 +77,7 @@ TEST_CASE("placing a core by its mean distance inverts the mean to 1e-12 cores")
     for (double kappa : {0.0, 2.0}) {
       for (double q : {0.01, 0.1, 0.3, 0.7, 1.0, 1.5, 2.0, 3.0, 3.9}) {
         const double m = folded::mean_distance(q * s, s, kappa);
-        const folded::Core core = folded::place(m, s, kappa);
+        const folded::Gaussian core = folded::place(m, s, kappa);
         INFO("y/s = " << q << ", s = " << s << ", kappa = " << kappa);
         CHECK(core.s == s);
         CHECK(std::abs(folded::mean_distance(core.y, core.s, kappa) - m) < 1e-12 * s);
@@ -91,7 +91,7 @@ TEST_CASE("a core all but on the wall, where mean and centre are least bound, is
     for (double kappa : {0.0, 2.0, -2.0}) {
       for (double q : {0.0, 1e-6, 1e-4}) {
         const double m = folded::mean_distance(q * s, s, kappa);
-        const folded::Core core = folded::place(m, s, kappa);
+        const folded::Gaussian core = folded::place(m, s, kappa);
         INFO("y/s = " << q << ", s = " << s << ", kappa = " << kappa);
         CHECK(core.s <= s * (1 + 1e-8));
         CHECK(core.y >= 0);
@@ -105,7 +105,7 @@ TEST_CASE("a mean nearer than sigma/sqrt(pi) squeezes the core onto the wall") {
   for (double s : cores) {
     for (double part : {0.99, 0.7, 0.3, 0.21}) {
       const double m = part * s * folded::inverse_sqrt_pi;
-      const folded::Core core = folded::place(m, s, 0);
+      const folded::Gaussian core = folded::place(m, s, 0);
       CHECK(core.y == 0);
       CHECK(core.s == Approx(part * s).epsilon(1e-14));
       CHECK(folded::mean_distance(core.y, core.s, 0) == Approx(m).epsilon(1e-14));
@@ -115,7 +115,7 @@ TEST_CASE("a mean nearer than sigma/sqrt(pi) squeezes the core onto the wall") {
 
 TEST_CASE("no core is squeezed below the thinnest, not even by a mean within the body") {
   for (double m : {0.1, 0.0, -0.3, -5.0}) {
-    const folded::Core core = folded::place(m * 0.02 * folded::inverse_sqrt_pi, 0.02, 0);
+    const folded::Gaussian core = folded::place(m * 0.02 * folded::inverse_sqrt_pi, 0.02, 0);
     CHECK(core.y == 0);
     CHECK(core.s == Approx(folded::thinnest * 0.02).epsilon(1e-14));
   }
