@@ -23,7 +23,8 @@ def draw(run):
     for axes in grid.flat[max(0, len(pairs) - columns):len(pairs)]:
         axes.tick_params(labelbottom=True)
     fig.supxlabel("angle from the rear, upper half  [deg]\n"
-                  "in brackets: rms deviation over rms of the reference", fontsize=11.5)
+                  "in brackets: rms deviation over rms of the reference, largest over its largest",
+                  fontsize=11.5)
     fig.supylabel("wall vorticity  $\\omega R/U$", fontsize=11.5)
     handles, labels = grid.flat[0].get_legend_handles_labels()
     grid.flat[0].legend(handles, labels, loc="lower left", handlelength=1.3, borderaxespad=0.2)
@@ -49,10 +50,12 @@ def panel(axes, wall, reference, ours, theirs, unit):
     off = interpolated(angle, value, at) - exact
     inside = np.isfinite(off)
     deviation = 100 * np.sqrt(np.sum(off[inside]**2) / np.sum(exact[inside]**2))
+    largest = 100 * np.max(np.abs(off[inside])) / np.max(np.abs(exact[inside]))
     axes.axhline(0, color="#bbbbbb", lw=0.7)
     axes.plot(angle, value, color=BLUE, lw=1.5, label="vortree")
     axes.plot(at, exact, color=INK, lw=0.8, ls=(0, (5, 2)), label="reference")
-    axes.set_title(f"$T = {wall['T'][ours[0]]:.3g}$  ({deviation:.1f} %)", fontsize=10.5)
+    axes.set_title(f"$T = {wall['T'][ours[0]]:.3g}$  ({deviation:.1f}, {largest:.1f} %)",
+                   fontsize=10.5)
     axes.set_xlim(0, 180)
     axes.set_xticks([0, 60, 120, 180])
 

@@ -110,50 +110,46 @@ vortex::Vec2 friction(const Record& r) {
 
 }  // namespace
 
-/// Rate of change at t of what is f at three times, by the parabola through them in sqrt(t): what
-/// an impulsive start sets off at t = 0 goes as powers of that.
+/// Rate of change, at the second of three times, of what is f at each, by the parabola through them
+/// in sqrt(t): what an impulsive start sets off at t = 0 goes as powers of that.
 class RateOfChange {
  public:
-  RateOfChange(std::array<double, 3> times, double t) {
-    std::array<double, 3> s;
-    std::ranges::transform(times, s.begin(), [](double at) { return std::sqrt(at); });
-    const double here = std::sqrt(t);
-    for (int k = 0; k < 3; ++k) {
-      const double a = s[(k + 1) % 3], b = s[(k + 2) % 3];
-      weight_[k] = (2 * here - a - b) / ((s[k] - a) * (s[k] - b)) / (2 * here);
-    }
+  RateOfChange(double t0, double t1, double t2) {
+    const double s0 = std::sqrt(t0), s1 = std::sqrt(t1), s2 = std::sqrt(t2);
+    before_ = (s1 - s2) / ((s0 - s1) * (s0 - s2)) / (2 * s1);
+    after_ = (s1 - s0) / ((s2 - s0) * (s2 - s1)) / (2 * s1);
   }
   vortex::Vec2 operator()(vortex::Vec2 f0, vortex::Vec2 f1, vortex::Vec2 f2) const {
-    return weight_[0] * f0 + weight_[1] * f1 + weight_[2] * f2;
+    return before_ * (f0 - f1) + after_ * (f2 - f1);
   }
 
  private:
-  std::array<double, 3> weight_;
+  double before_, after_;
 };
 
 void History::add(const Record& record, const Write& write) {
   recent_.push_back(record);
   if (recent_.size() < 3) return;
   if (recent_.size() > 3) recent_.pop_front();
-  write(with_forces_at(recent_[1]));
+  write(with_forces_in_the_middle());
 }
 
-/// Of the three recent ones.
-Record History::with_forces_at(const Record& now) const {
+/// Of the middle one of three.
+Record History::with_forces_in_the_middle() const {
   const Record &a = recent_[0], &b = recent_[1], &c = recent_[2];
-  const RateOfChange rate({a.t, b.t, c.t}, now.t);
+  const RateOfChange rate(a.t, b.t, c.t);
   // A body at rest feels minus the rate of change of the fluid's impulse; of what the pressure has
   // given it since the first of the three, the rate is the force.
   const vortex::Vec2 by_b = (b.t - a.t) * pressure(b), by_c = by_b + (c.t - b.t) * pressure(c);
-  return with_forces(now, -1 * rate(impulse(a), impulse(b), impulse(c)),
-                     rate({}, by_b, by_c) + friction(now));
+  return with_forces(b, -1 * rate(impulse(a), impulse(b), impulse(c)),
+                     rate({}, by_b, by_c) + friction(b));
 }
 
 void History::finish(const Write& write) {
   if (recent_.size() < 2) return;
-  if (recent_.size() == 3) return write(with_forces_at(recent_[2]));
-  const Record &b = recent_[0], &c = recent_[1];
-  write(with_forces(c, (-1 / (c.t - b.t)) * (impulse(c) - impulse(b)), pressure(c) + friction(c)));
+  const Record &before = recent_[recent_.size() - 2], &now = recent_.back();
+  write(with_forces(now, (-1 / (now.t - before.t)) * (impulse(now) - impulse(before)),
+                    pressure(now) + friction(now)));
 }
 
 std::vector<double> History::saved() const {

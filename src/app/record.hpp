@@ -46,11 +46,13 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
 /// Records that wait for the next one, since a force is a rate of change:
 ///
 ///   C_D(t_n) = 2/(U^2 D) F_n,   P = (-sum gamma y, sum gamma x),
-///                               F by impulse = (P_{n+1} - P_{n-1})/(2 dt)
-///                               F by the wall = (pressure of steps n and n+1)/2 + friction at t_n
+///                               F by impulse = dP/dt
+///                               F by the wall = d/dt(what pressure has given) + friction at t_n
 ///
-/// both O(dt^2); the last record of a run looks back instead. To a body that plunges both add its
-/// area times its acceleration, since they are forces in its own frame (vortex/plunge.hpp).
+/// by the parabola in sqrt(t) through three records, O(dt^2), near an impulsive start at t = 0, too
+/// (where differences in t err by dt^2/(8 t^2)); the last record of a run looks back, O(dt). To a
+/// body that plunges both add its area times its acceleration, since they are forces in its own
+/// frame (vortex/plunge.hpp).
 class History {
  public:
   using Write = std::function<void(const Record&)>;
@@ -65,7 +67,7 @@ class History {
   void restore(std::span<const double> values);
 
  private:
-  Record with_forces_at(const Record& now) const;
+  Record with_forces_in_the_middle() const;
   Record with_forces(const Record& record, vortex::Vec2 by_impulse, vortex::Vec2 by_wall) const;
 
   const FlowCase& flow_;

@@ -7,9 +7,9 @@
 
 namespace vortree::vortex {
 
-/// Vorticity at the wall, a value a panel [1/s]: the folded cores' sum of
-/// 2 gamma/(pi sigma^2) exp(-|x - x_w|^2/sigma^2), and that of the sheet which the last step of dt
-/// has let in at an even rate, 2 gamma/sqrt(pi nu dt) (its blobs not among the others yet).
+/// Vorticity at the wall, a value a panel [1/s], smoothed along it (along_wall.hpp): the sum of the
+/// folded cores', and that of the sheet which the last step of dt has let in at an even rate,
+/// 2 gamma/sqrt(pi nu dt) (its blobs not among the others yet).
 std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> sheet,
                                    const Wall& wall, double nu, double dt);
 
@@ -22,7 +22,7 @@ std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> s
 Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt);
 
 /// Friction force per unit density: nu int omega t ds of the same vorticity, each core's integral
-/// along the wall in closed form, 2 gamma/(sqrt(pi) sigma) exp(-y^2/sigma^2).
+/// along the wall in closed form, nothing smoothed.
 Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
                     double dt);
 

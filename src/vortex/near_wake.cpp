@@ -33,20 +33,8 @@ double way_out(const Wall& wall, Vec2 from, Vec2 direction) {
   return outside;
 }
 
-/// Three passes of the weights 1/4, 1/2, 1/4 around the wall.
-std::vector<double> smoothed(std::span<const double> values) {
-  std::vector<double> now(values.begin(), values.end());
-  const std::size_t n = now.size();
-  for (int pass = 0; pass < 3; ++pass) {
-    const std::vector<double> was = now;
-    for (std::size_t i = 0; i < n; ++i)
-      now[i] = 0.25 * was[(i + n - 1) % n] + 0.5 * was[i] + 0.25 * was[(i + 1) % n];
-  }
-  return now;
-}
-
 struct Station {
-  double angle, vorticity;  // from the rear [degrees]; side +1: left of the stream
+  double angle, vorticity;  // from the rear [degrees]; attached flow has vorticity < 0
 };
 
 /// The wall of one side (+1: left of the stream), from the front to the rear.
@@ -65,13 +53,17 @@ std::vector<Station> side_of(std::span<const double> vorticity, const Wall& wall
   return stations;
 }
 
-/// Attached flow has side * vorticity < 0; near the front both are small and say nothing.
+/// Attached flow has vorticity < 0; near the front it is small and says nothing, and a turn that
+/// the flow takes back before it has gone on for `lasting` panels is a speck.
 std::optional<double> separation_on(std::span<const Station> stations) {
   constexpr double front = 150;
-  for (std::size_t k = 1; k < stations.size(); ++k) {
+  constexpr std::size_t lasting = 3;
+  for (std::size_t k = 1; k + lasting <= stations.size(); ++k) {
     const auto [a0, w0] = stations[k - 1];
     const auto [a1, w1] = stations[k];
-    if (a0 < front && w0 < 0 && w1 >= 0) return a0 + (a1 - a0) * w0 / (w0 - w1);
+    const bool lasts = std::ranges::all_of(stations.subspan(k, lasting),
+                                           [](const Station& s) { return s.vorticity >= 0; });
+    if (a0 < front && w0 < 0 && lasts) return a0 + (a1 - a0) * w0 / (w0 - w1);
   }
   return std::nullopt;
 }
@@ -102,11 +94,10 @@ double bubble_length(const WakeLine& line, const Velocities& u) {
 }
 
 double separation_angle(std::span<const double> wall_vorticity, const Wall& wall, Vec2 stream) {
-  const std::vector<double> smooth = smoothed(wall_vorticity);
   double sum = 0;
   int found = 0;
   for (double side : {1.0, -1.0})
-    if (const auto angle = separation_on(side_of(smooth, wall, stream, side))) {
+    if (const auto angle = separation_on(side_of(wall_vorticity, wall, stream, side))) {
       sum += *angle;
       ++found;
     }

@@ -30,8 +30,8 @@ double bubble_length(const WakeLine& line, const Velocities& u);
 /// Angle of the main separation from the rear of the body, seen from its centre, mean of both
 /// sides; 0 while the flow is attached [degrees].
 ///
-/// Walking from the front along the wall, the place where the wall vorticity first changes its
-/// sign, smoothed over a few panels.
+/// Walking from the front along the wall, the place where the wall vorticity first changes its sign
+/// for three panels or more, between the panels linear. To be smooth (along_wall.hpp).
 double separation_angle(std::span<const double> wall_vorticity, const Wall& wall, Vec2 stream);
 
 }  // namespace vortree::vortex

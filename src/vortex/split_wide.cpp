@@ -163,7 +163,8 @@ void split_at_wall(std::span<Part> children, std::span<AtWall> at_wall, const Pa
   const double across = square - mean * mean, behind = v.tt - child2 / 2;
   const double most = 0.9 * std::sqrt(across * behind);
   const double tilt = std::clamp(v.nt, -most, most), lean = tilt / across;
-  const double along = std::sqrt((behind - lean * tilt) / c.share);
+  // Mirror images of parents have mirror images of children, in their order.
+  const double along = std::copysign(std::sqrt((behind - lean * tilt) / c.share), parent.gamma);
   const std::array<double, 4> aside{along, -along, 0, 0};
   const Placed as_one = acting_blob(parent.centre(), parent.core(), &wall);
   const Vec2 foot = parent.centre() - w.distance * w.normal;

@@ -116,10 +116,9 @@ void scatter(Blobs& blobs, const Problem& p, std::uint64_t number) {
 /// In how many parts a step is done: after an impulsive start the flow changes as fast as it is
 /// young.
 int parts_of(const Problem& p, std::uint64_t number) {
-  constexpr int of_first = 8;
-  return p.wall ? std::max(
-                      1, of_first / static_cast<int>(std::min<std::uint64_t>(number, of_first + 1)))
-                : 1;
+  constexpr std::uint64_t of_first = 8;
+  if (!p.wall || number > of_first) return 1;
+  return static_cast<int>(of_first / std::max<std::uint64_t>(number, 1));
 }
 
 /// The problem with a step of dt/parts, and cores and mergers as they go with it.
@@ -149,13 +148,16 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Pha
   Wake wake;
   phase("convect");
   const bool spreads = p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading;
+  // In free space cores stay round: pairs that move with the mean over both cores conserve energy
+  // and the second moment, which strain without its pull on the centres would not.
+  const bool strains = spreads && shape;
   if (spreads) spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
   convect(
       blobs,
       [&](const Blobs& b, const Acting& at, double after, Gradients* gradients) {
         return carrying(b, at, p, p.flow.stream_at(p.time + after), gradients);
       },
-      shape, p.scheme, p.dt, spreads);
+      shape, p.scheme, p.dt, strains);
   if (spreads)
     spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
   else if (p.flow.nu > 0)

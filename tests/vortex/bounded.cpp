@@ -79,12 +79,12 @@ TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
   };
   const auto kept = moments(99), left = moments(50);
   CHECK(kept.back().retired.gamma == 0);
-  CHECK(left.back().retired.gamma > 0.09);  // some children of the two are still inside
+  CHECK(left.back().retired.gamma > 0.08);  // some children of the two are still inside
   for (std::size_t k = 0; k < kept.size(); ++k) {
     // Two vortices of 0.2 are felt 50 away as 6e-4 of the stream; the body feels all of that cease
     // within one step.
-    CHECK(left[k].moment.x == Approx(kept[k].moment.x).margin(2e-3));
-    CHECK(left[k].moment.y == Approx(kept[k].moment.y).margin(2e-3));
+    CHECK(left[k].moment.x == Approx(kept[k].moment.x).margin(3e-3));
+    CHECK(left[k].moment.y == Approx(kept[k].moment.y).margin(3e-3));
     CHECK(left[k].pressure.x == Approx(kept[k].pressure.x).epsilon(6e-3));
   }
 }

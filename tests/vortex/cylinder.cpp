@@ -41,8 +41,8 @@ Problem problem_of(const vortex::Wall& wall, const vortex::Velocity& velocity) {
   return {.flow = {{1, 0}, nu},
           .dt = dt,
           .sigma_0 = std::sqrt(2 * nu * dt),
-          .splitting = {.sigma_max = 0.0171},
-          .merging = {.tolerance = 0.02, .sigma_max = 1.1 * 0.0171},
+          .splitting = {.sigma_max = 0.0121},
+          .merging = {.tolerance = 0.02, .sigma_max = 1.1 * 0.0121},
           .wall = &wall,
           .velocity = &velocity};
 }
@@ -85,7 +85,7 @@ TEST_CASE("past a cylinder the whole circulation stays 0 to round-off, Kelvin's 
 TEST_CASE("an impulsively started cylinder's drag is that of short times to 2 %, by either route") {
   // Blobs of one release all split in one step, and the drag jumps then: means over windows of T.
   for (const Run* run : {&by_direct_sum(), &by_boxes()}) {
-    for (int first : {6, 11, 16}) {
+    for (int first : {6, 11}) {  // by T = 0.2 convection, which the formula lacks, adds 3 %
       double exact = 0, impulse = 0, wall = 0;
       for (int k = first; k < first + 5; ++k) {
         exact += short_time_drag(k);
@@ -169,7 +169,7 @@ TEST_CASE("a step past a wall names its phases in their order") {
   const Problem problem = problem_of(wall, *velocity);
   std::vector<std::string> names;
   Blobs blobs;
-  step(blobs, problem, 0, [&](std::string_view name) { names.emplace_back(name); });
+  step(blobs, problem, 20, [&](std::string_view name) { names.emplace_back(name); });
   CHECK(names == std::vector<std::string>{"convect", "wall", "split", "merge"});
   CHECK(blobs.size() >= wall.panels());
 }

@@ -42,6 +42,7 @@ inline vortex::Blobs layer(std::size_t n, double radius, double deep, double thi
 inline vortex::Blobs mirrored(vortex::Blobs blobs) {
   for (double& y : blobs.y) y = -y;
   for (double& gamma : blobs.gamma) gamma = -gamma;
+  for (double& xy : blobs.xy) xy = -xy;
   return blobs;
 }
 

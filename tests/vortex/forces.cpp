@@ -4,6 +4,7 @@
 
 #include "cylinder_flow.hpp"
 #include "flows.hpp"
+#include "vortex/step.hpp"
 
 using namespace vortree;
 using vortex::Blobs;
@@ -53,22 +54,81 @@ Blobs hand_made_layer(double distance, double sigma) {
   return blobs;
 }
 
+/// The sheet sin theta in cores on the wall, a panel apart, each in two halves at a random
+/// distance.
+Blobs scattered_sheet(const Wall& wall, double sigma) {
+  test::Uniform uniform(3);
+  Blobs blobs;
+  for (std::size_t k = 0; k < wall.panels(); ++k) {
+    const double theta = test::polar_angle(wall.middle(k)), b = wall.panel_length();
+    const double half = b / radius * uniform();
+    for (double at : {theta - half, theta + half})
+      blobs.append({radius * std::cos(at), radius * std::sin(at)}, 0.5 * b * std::sin(theta),
+                   sigma);
+  }
+  return blobs;
+}
+
+/// Wall vorticity of the stream 1 along x past the cylinder, started at once, to the first order in
+/// t/R and the second in sqrt(nu t)/R: the layer of a flat wall thickened by the curvature, and its
+/// first change by convection.
+/// source  Blasius, Z. Math. Phys. 56 (1908); Bar-Lev & Yang, J. Fluid Mech. 72 (1975)
+double short_time_vorticity(double nu, double t, double theta) {
+  const double convected = (1 + 4 / (3 * pi)) * 2 * t / radius * std::cos(theta);
+  return -2 * std::sin(theta) *
+         ((1 - convected) / std::sqrt(pi * nu * t) + 1 / (2 * radius) -
+          std::sqrt(nu * t / pi) / (4 * radius * radius));
+}
+
 double off(Vec2 a, Vec2 b) {
   return std::hypot(a.x - b.x, a.y - b.y);
 }
 
 }  // namespace
 
-TEST_CASE("wall vorticity is the sum of all folded cores, but for the ends beyond four cores") {
-  const Wall wall = wall_of(100);
-  for (double wide : {0.02, 0.15}) {
-    const Blobs blobs = test::layer(500, radius, 0.1, 0.01, wide);
-    double peak = 0;
-    for (std::size_t i = 0; i < blobs.size(); ++i)
-      peak += 2 * std::abs(blobs.gamma[i]) / (pi * blobs.sigma[i] * blobs.sigma[i]);
-    const auto omega = wall_vorticity(blobs, std::vector<double>(100), wall, nu, dt);
-    for (std::size_t i = 0; i < wall.panels(); ++i)
-      CHECK(std::abs(omega[i] - wall_vorticity_of_all(blobs, wall.middle(i))) < 1.2e-7 * peak);
+TEST_CASE("of cores scattered along the wall the wall vorticity is that of their layer, to 1 %") {
+  // That of the sheet sin theta, 2 sin theta/(sqrt(pi) sigma); their bare sum is 8 to 26 % off.
+  const Wall wall = wall_of(500);
+  const double b = wall.panel_length();
+  for (double sigma : {b, 1.5 * b, 2 * b}) {
+    const Blobs blobs = scattered_sheet(wall, sigma);
+    const auto omega = wall_vorticity(blobs, std::vector<double>(500), wall, nu, dt);
+    const double largest = 2 / (std::sqrt(pi) * sigma);
+    double worst = 0, worst_of_sum = 0;
+    for (std::size_t i = 0; i < wall.panels(); ++i) {
+      const Vec2 at = wall.middle(i);
+      const double exact = largest * at.y / radius;
+      worst = std::max(worst, std::abs(omega[i] - exact) / largest);
+      worst_of_sum =
+          std::max(worst_of_sum, std::abs(wall_vorticity_of_all(blobs, at) - exact) / largest);
+    }
+    CHECK(worst < 0.01);
+    CHECK(worst_of_sum > 0.07);
+  }
+}
+
+TEST_CASE("past a cylinder started from rest the wall vorticity is that of short times, to 3 %") {
+  // Of blobs which have been released, split and merged; Re = 20, T = 0.01 and 0.015. Their sum
+  // without smoothing is 15 % off.
+  const Wall wall = wall_of(300);
+  const auto velocity = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+  const vortex::Problem problem{.flow = {{1, 0}, 0.05},
+                                .dt = 5e-4,
+                                .sigma_0 = 0.005,
+                                .splitting = {.sigma_max = 0.02},
+                                .merging = {.tolerance = 0.028, .sigma_max = 0.022},
+                                .wall = &wall,
+                                .velocity = velocity.get()};
+  Blobs blobs;
+  vortex::Wake wake = start(blobs, problem);
+  for (int k = 1; k <= 15; ++k) {
+    wake = step(blobs, problem, k, [](std::string_view) {});
+    if (k < 10) continue;
+    const double t = k * problem.dt, largest = short_time_vorticity(0.05, t, 0.5 * pi);
+    for (std::size_t i = 0; i < wall.panels(); ++i) {
+      const double exact = short_time_vorticity(0.05, t, test::polar_angle(wall.middle(i)));
+      CHECK(std::abs(wake.wall_vorticity[i] - exact) < 0.03 * std::abs(largest));
+    }
   }
 }
 
@@ -80,12 +140,10 @@ TEST_CASE("a sheet let in at an even rate makes the wall vorticity of its ages' 
     const double root = std::sqrt(dt) * (k + 0.5) / n;
     mean += 2 * root / std::sqrt(pi * nu * root * root) / (std::sqrt(dt) * n);
   }
-  const Wall wall = wall_of(16);
-  std::vector<double> sheet(16);
-  sheet[3] = 2;
-  const auto omega = wall_vorticity({}, sheet, wall, nu, dt);
-  CHECK(omega[3] == Approx(2 * mean).epsilon(1e-12));
-  CHECK(omega[4] == 0);
+  const Wall wall = wall_of(200);
+  const std::vector<double> sheet(200, 2.0);
+  for (double omega : wall_vorticity({}, sheet, wall, nu, dt))
+    CHECK(omega == Approx(2 * mean).epsilon(1e-6));
   CHECK(wall_vorticity({}, sheet, wall, 0, dt)[3] == 0);  // nothing enters without viscosity
 }
 

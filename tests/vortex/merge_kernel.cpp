@@ -139,15 +139,21 @@ TEST_CASE("a window leaves no pair that may merge, and conserves what pairs cons
   CHECK(is.second == Approx(was.second).epsilon(1e-14));
 }
 
-TEST_CASE("a merger beside the wall keeps the acting moment and spreads only across it") {
+TEST_CASE("a merger beside the wall keeps mean and mean square of the distance, and all spread") {
   std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, false}, {{0, 0.3}, {0, 1}, false}};
-  Part p{0, 1, 1, 0.04, 0, 1}, away{2, 1.4, 3, 0.08, 1, 1}, q = away;
+  const double w = 0.25, v = 0.75, both = w * v;
+  Part p{0, 1, 1, 0.04, {0.002, 0.001}, 0, 1}, away{2, 1.4, 3, 0.08, {0, -0.003}, 1, 1}, q = away;
   merge(p, q, at_wall);
   CHECK(p.gamma == 4);
   CHECK(p.x == Approx(1.5));
   CHECK(p.y == Approx(1.3));
-  CHECK(p.y + at_wall[0].offset.y == Approx(0.25 * 1.1 + 0.75 * 1.7));
-  CHECK(p.square == Approx(0.25 * 0.04 + 0.75 * 0.08 + 2 * 0.1875 * 0.16));
+  CHECK(p.y + at_wall[0].offset.y == Approx(w * 1.1 + v * 1.7));
+  const Covariance merged = p.core().covariance({0, 1});
+  CHECK(merged.nn + 1.3 * 1.3 ==
+        Approx(w * (0.02 - 0.002 + 1 * 1) + v * (0.04 + 1.4 * 1.4)).epsilon(1e-14));
+  CHECK(merged.tt == Approx(w * (0.02 + 0.002) + v * 0.04 + both * 2 * 2).epsilon(1e-14));
+  // Along the wall is -x; the tilt is that of acting positions, 0.6 apart.
+  CHECK(merged.nt == Approx(w * -0.001 + v * 0.003 + both * 0.6 * -2).epsilon(1e-14));
   CHECK(at_wall[0].moved);
 }
 
