@@ -8,7 +8,7 @@
 namespace vortree::vortex {
 namespace {
 
-constexpr double panels_smoothed = 6, of_radius = 0.25, steepest = 0.25;
+constexpr double panels_smoothed = 3, of_radius = 0.25, steepest = 0.25;
 constexpr double reach = 4;  // widths: exp(-16) = 1.1e-7
 
 /// A quarter of the radius of curvature at each panel, six panels at most and one at least.

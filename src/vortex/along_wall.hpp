@@ -23,16 +23,21 @@ struct Trace {
   double amount, arc, width;
 };
 
-/// The wall vorticity of a folded core; its amount is that core's integral along the wall [m/s].
+/// The wall vorticity of a folded core, along the wall as
 ///
-///   omega = 2 gamma/(pi sigma_n sigma_t) exp(-y^2/sigma_n^2 - (s - arc)^2/width^2),
-///   1/width^2 = 1/sigma_t^2 + kappa y/sigma_n^2
+///   exp(-(s - arc)^2/width^2),   1/width^2 = 1/sigma_t^2 + kappa y/sigma_n^2,
 ///
-/// y and kappa are the distance and the curvature at the nearest wall point.
-/// error  (sigma_t kappa)^2/5 of a core's on the wall; times (sigma_t/sigma_n)^2, if that is > 1
+/// its amount, the integral along the wall [m/s], that of the heat flow without flux at a bent wall:
+///
+///   gamma (2/(sqrt(pi) sigma_n) exp(-q^2) - kappa/2 (erfc(q) + q/sqrt(pi) exp(-q^2))),
+///
+/// q = y/sigma_n; y and kappa are the distance and the curvature at the nearest wall point. (That
+/// is d m/d(nu t) of the mean distance m in folded_core.hpp; of the sharpest edges, half the first
+/// term.)
+/// error  (kappa sigma_n)^2 of the amount
 Trace trace(const CoreAtWall& core);
 
-/// Sums of traces along a wall, a value a panel, smoothed over w = 6 panels.
+/// Sums of traces along a wall, a value a panel, smoothed over w = 3 panels.
 ///
 /// Blobs are released a panel apart and split and merge at such distances, so that their bare sum
 /// is rough there, at every step anew: by a tenth of the largest wall vorticity. The flow's own
