@@ -34,14 +34,14 @@ double log_unit(const Units& units) {
 void finish_gradient(const Units& units, std::span<double> ux, std::span<double> uy,
                      std::span<double> vx) {
   const int power = 2 * std::ilogb(units.per_length) - std::ilogb(units.per_gamma);
-  const auto in_units = [&](double sum) {
-    return std::ldexp(sum / (2.0 * std::numbers::pi), power);
-  };
+  const double third = std::ldexp(1.0, power / 3);  // in three parts: each is normal
+  const double rest = std::ldexp(1.0, power - 2 * (power / 3));
+  const double first = third / (2.0 * std::numbers::pi);
   for (std::size_t i = 0; i < ux.size(); ++i) {
-    const double strain = uy[i], rotation = vx[i];
-    ux[i] = in_units(ux[i]);
-    uy[i] = in_units(strain - rotation);
-    vx[i] = in_units(strain + rotation);
+    const double along = ux[i] * first, across = uy[i] * first, rotation = vx[i] * first;
+    ux[i] = along * third * rest;
+    uy[i] = (across - rotation) * third * rest;
+    vx[i] = (across + rotation) * third * rest;
   }
 }
 

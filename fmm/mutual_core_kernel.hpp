@@ -17,7 +17,7 @@ namespace vortree::fmm {
 ///
 ///   u_i -= gamma_j w_i dy, v_i += gamma_j w_i dx;   u_j += gamma_i w_j dy, v_j -= gamma_i w_j dx
 ///   w = core(q)/r^2, q = r^2/S, (dx, dy) = x_i - x_j
-///   MutualBare        w_i = w_j = 1/r^2
+///   meet_bare         w_i = w_j = 1/r^2
 ///   MutualMeanCore    w_i = w_j, S = (S_i + S_j)/2: one exponential and one division serve both
 ///   MutualSourceCore  w_i with S = S_j, w_j with S = S_i: one division, two exponentials
 ///
@@ -58,23 +58,6 @@ inline constexpr std::size_t velocity_sums = 2, slope_sums = 5;
 /// is packed once.
 inline constexpr int kept_places = 6;
 
-struct MutualBare {
-  static constexpr int others = 0;
-  static constexpr bool turns = false;
-
-  template <class Value>
-  static Value packed(Value) {
-    return Value{};
-  }
-  template <bool slopes, class Vector, class Number>
-  static void prepare(Vector r2, Number, Vector, Vector (&kept)[kept_places]) {
-    kept[0] = Number{1} / r2;
-    if (slopes) kept[1] = kept[0] * kept[0];
-  }
-  template <bool slopes, class Vector>
-  static void finish(Vector (&)[kept_places]) {}
-};
-
 /// w where 1/r^2 was, and s and turn where 1/S was; by the error of s r^2, that of the rotation, no
 /// digit is lost as r vanishes.
 template <class Exp, bool slopes, class Vector>
@@ -89,7 +72,6 @@ inline void weigh(Vector q, Vector inverse, Vector inverse_core, Vector* kept) {
 template <class Exp>
 struct MutualMeanCore {
   static constexpr int others = 0;
-  static constexpr bool turns = true;
 
   template <class Value>
   static Value packed(Value squared_core) {
@@ -115,7 +97,6 @@ struct MutualMeanCore {
 template <class Exp>
 struct MutualSourceCore {
   static constexpr int others = 3;
-  static constexpr bool turns = true;
 
   template <class Value>
   static Value packed(Value squared_core) {
@@ -160,13 +141,40 @@ struct OtherPoints {
   Vector x, y, gamma, core, sum[sums];
 };
 
-/// both: the others gain, too.
-///
-/// Each step is done for some points of the cell before the next one: a pair's weight is a long
-/// chain of operations that wait for each other, and short loops keep more of them going at once.
+/// Without cores. both: the others gain, too.
+template <bool both, class Number, std::size_t sums>
+inline void meet_bare(const CellPoints<Number, sums>& cell,
+                      OtherPoints<typename VectorOf<Number>::Type, sums>& others) {
+  using Vector = typename VectorOf<Number>::Type;
+  constexpr bool slopes = sums == slope_sums;
+  const Vector x = others.x, y = others.y, gamma = others.gamma;
+  Vector u{}, v{}, re{}, im{};
+  for (std::size_t i = 0; i < cell.size; ++i) {
+    const Vector dx = cell.x[i] - x, dy = cell.y[i] - y;
+    const Vector w = Number{1} / (dx * dx + (dy * dy + tiny_of<Number>));
+    const Vector along = w * dx, across = w * dy;
+    cell.sum[0][i] -= gamma * across;
+    cell.sum[1][i] += gamma * along;
+    if (both) u += cell.gamma[i] * across, v -= cell.gamma[i] * along;
+    if constexpr (slopes) {
+      const Vector strain_re = (across - along) * (across + along);
+      const Vector strain_im = (along + along) * across;
+      cell.sum[2][i] += gamma * strain_re;
+      cell.sum[3][i] += gamma * strain_im;
+      if (both) re += cell.gamma[i] * strain_re, im += cell.gamma[i] * strain_im;
+    }
+  }
+  if (!both) return;
+  others.sum[0] = u, others.sum[1] = v;
+  if constexpr (slopes) others.sum[2] = re, others.sum[3] = im, others.sum[4] = Vector{};
+}
+
+/// With cores. Each step is done for some points of the cell before the next one: a pair's weight
+/// is a long chain of operations that wait for each other, and short loops keep more of them going
+/// at once.
 template <class Weight, bool both, class Number, std::size_t sums>
-inline void meet_others(const CellPoints<Number, sums>& cell,
-                        OtherPoints<typename VectorOf<Number>::Type, sums>& others) {
+inline void meet_cored(const CellPoints<Number, sums>& cell,
+                       OtherPoints<typename VectorOf<Number>::Type, sums>& others) {
   using Vector = typename VectorOf<Number>::Type;
   constexpr bool slopes = sums == slope_sums;
   constexpr std::size_t some = 8;
@@ -194,16 +202,16 @@ inline void meet_others(const CellPoints<Number, sums>& cell,
         v -= upon_others * dx;
       }
       if constexpr (slopes) {
-        const Vector across = dy * dy - dx * dx, mixed = (dx + dx) * dy;
+        const Vector across = (dy - dx) * (dy + dx), mixed = (dx + dx) * dy;
         const Vector strain = upon[1] * gamma;
         cell.sum[2][i] += strain * across;
         cell.sum[3][i] += strain * mixed;
-        if (Weight::turns) cell.sum[4][i] += upon[2] * gamma;
+        cell.sum[4][i] += upon[2] * gamma;
         if (both) {
           const Vector strain_back = back[1] * cell.gamma[i];
           re += strain_back * across;
           im += strain_back * mixed;
-          if (Weight::turns) rotation += back[2] * cell.gamma[i];
+          rotation += back[2] * cell.gamma[i];
         }
       }
     }

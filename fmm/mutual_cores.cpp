@@ -72,7 +72,7 @@ void MutualCores<sums>::add(std::uint32_t leaf, tree::Range slab, std::span<cons
     meet<false>(common(run, {slab.last, run.last}), to);
   }
   empty_room(room_, to);
-  if (coarse_) empty_room(single_, to);
+  empty_room(single_, to);
 }
 
 template <std::size_t sums>
@@ -95,20 +95,18 @@ void MutualCores<sums>::take(std::uint32_t leaf) {
   fits_ = least_ > 0.0 && half * half <= widest_frame2 * least_ && widest_ <= widest_core * least_;
   fits_bare_ =
       least_ > 0.0 && half * half <= widest_bare_frame2 * least_ && widest_ <= widest_core * least_;
-  fill_room(room_);
-  if (!coarse_) return;
   single_.x0 = x_, single_.y0 = y_;
   single_.per_length = least_ > 0.0 ? 1.0 / std::sqrt(least_) : 1.0;
-  fill_room(single_);
 }
 
 template <std::size_t sums>
 template <class Number>
-void MutualCores<sums>::fill_room(Room<Number>& room) {
-  const std::size_t whole = padded(size_);
-  if (room.x.size() < whole) {
-    for (auto* values : {&room.x, &room.y, &room.gamma, &room.core}) values->resize(2 * whole);
-    for (auto& sum : room.sum) sum.resize(2 * whole);
+void MutualCores<sums>::fill_room(Room<Number>& room) const {
+  room.open = true;
+  const std::size_t whole = padded(size_), in_vectors = padded(size_, VectorOf<Number>::count);
+  if (room.x.size() < in_vectors) {
+    for (auto* values : {&room.x, &room.y, &room.gamma, &room.core}) values->resize(2 * in_vectors);
+    for (auto& sum : room.sum) sum.resize(2 * in_vectors);
   }
   const double per_area = room.per_length * room.per_length;
   with_weight(cores_, coarse_, [&](auto weight) {
@@ -120,15 +118,21 @@ void MutualCores<sums>::fill_room(Room<Number>& room) {
       room.core[i] = weight.packed(static_cast<Number>(leaves_.points.core[j] * per_area));
     }
   });
-  for (auto& sum : room.sum) std::fill_n(sum.begin(), size_, typename VectorOf<Number>::Type{});
+  for (auto& sum : room.sum)
+    std::fill_n(sum.begin(), in_vectors, typename VectorOf<Number>::Type{});
 }
 
 template <std::size_t sums>
 template <class Number>
-void MutualCores<sums>::empty_room(const Room<Number>& room, const Sums& to) const {
+void MutualCores<sums>::empty_room(Room<Number>& room, const Sums& to) const {
+  if (!room.open) return;
+  room.open = false;
+  constexpr std::uint32_t n = VectorOf<Number>::count;
   for (std::size_t s = 0; s < sums; ++s) {
-    for (std::size_t i = 0; i < size_; ++i)
-      to[s][first_ + i] += sum(room.sum[s][i]) * room.scale(s);
+    for (std::uint32_t i = 0; i < size_; i += n) {
+      add_scaled(to[s] + first_ + i, size_ - i, side_by_side<Number>(&room.sum[s][i]),
+                 room.scale(s));
+    }
   }
 }
 
@@ -175,6 +179,7 @@ template <bool both, class Number>
 void MutualCores<sums>::meet_some(Room<Number>& room, std::uint32_t first, std::uint32_t count,
                                   bool shows, const Sums& to) const {
   using Vector = typename VectorOf<Number>::Type;
+  if (!room.open) fill_room(room);
   CellPoints<Number, sums> cell{
       room.x.data(), room.y.data(), room.gamma.data(), room.core.data(), {}, size_};
   for (std::size_t s = 0; s < sums; ++s) cell.sum[s] = room.sum[s].data();
@@ -183,14 +188,13 @@ void MutualCores<sums>::meet_some(Room<Number>& room, std::uint32_t first, std::
   others.y = load_scaled<Number>(&leaves_.points.y[first], count, room.y0, room.per_length);
   others.gamma = load_gamma<Number>(&leaves_.gamma[first], count);
   if (!shows) {
-    others.core = Vector{};
-    meet_others<MutualBare, both>(cell, others);
+    meet_bare<both>(cell, others);
   } else {
     const double per_area = room.per_length * room.per_length;
     const Vector core = load_scaled<Number>(&leaves_.points.core[first], count, 0.0, per_area);
     with_weight(cores_, coarse_, [&](auto weight) {
       others.core = weight.packed(core);
-      meet_others<decltype(weight), both>(cell, others);
+      meet_cored<decltype(weight), both>(cell, others);
     });
   }
   if (!both) return;

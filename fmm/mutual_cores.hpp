@@ -40,9 +40,10 @@ class MutualCores {
   void add(std::uint32_t leaf, tree::Range slab, std::span<const tree::Range> runs, const Sums& to);
 
  private:
-  /// The points of the cell, x = (position - x0)/length.
+  /// The points of the cell, x = (position - x0)/length, from when they are first asked for.
   template <class Number>
   struct Room {
+    bool open = false;
     double x0 = 0, y0 = 0, per_length = 1;
     Unwritten<Number> x, y, gamma, core;
     std::array<Unwritten<typename VectorOf<Number>::Type>, sums> sum;
@@ -60,9 +61,9 @@ class MutualCores {
 
   void take(std::uint32_t leaf);
   template <class Number>
-  void fill_room(Room<Number>& room);
+  void fill_room(Room<Number>& room) const;
   template <class Number>
-  void empty_room(const Room<Number>& room, const Sums& to) const;
+  void empty_room(Room<Number>& room, const Sums& to) const;
   [[nodiscard]] Look look(std::uint32_t first, std::uint32_t count, bool both) const;
   template <bool both>
   void meet(tree::Range places, const Sums& to);

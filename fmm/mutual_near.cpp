@@ -25,17 +25,6 @@ void add_scaled(double* to, Singles sums, double scale) {
   store(to + lane_count, load(to + lane_count) + high(sums) * scale);
 }
 
-/// The sum over the lanes of each of some vectors.
-Singles side_by_side(const Singles* sums) {
-  Singles part[single_count];
-  std::copy_n(sums, single_count, part);
-  transpose<float>(part);
-  for (int width = single_count / 2; width > 0; width /= 2) {
-    for (int k = 0; k < width; ++k) part[k] += part[k + width];
-  }
-  return part[0];
-}
-
 }  // namespace
 
 void MutualNear::add(tree::Range slab, double* u, double* v) {
@@ -139,8 +128,8 @@ void MutualNear::meet_in_fixed(std::uint32_t leaf, const Blocks& others,
   for (const std::uint32_t block : others.inside) meet_block<true>(leaf, block, points);
   for (const std::uint32_t block : others.outside) meet_block<false>(leaf, block, points);
   for (std::uint32_t i = 0; i < size; i += single_count) {
-    add_scaled(points.u + first + i, side_by_side(&room_.u[i]), room_.scale);
-    add_scaled(points.v + first + i, side_by_side(&room_.v[i]), room_.scale);
+    add_scaled(points.u + first + i, side_by_side<float>(&room_.u[i]), room_.scale);
+    add_scaled(points.v + first + i, side_by_side<float>(&room_.v[i]), room_.scale);
   }
 }
 

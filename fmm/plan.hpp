@@ -44,7 +44,7 @@ class Plan {
   /// At the blobs themselves, velocity and gradient() in one sweep.
   ///
   /// error   ||u|| as velocity(u, v); the gradient's ||.||_2 <= 10 tolerance (tests/fmm/together.cpp)
-  /// cost    of blobs with cores by Method::fmm, half as much again as velocity(u, v); else as both
+  /// cost    of blobs with cores by Method::fmm 1.6 times velocity(u, v); else as both, in turn
   void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
                              std::span<double> uy, std::span<double> vx) const;
 

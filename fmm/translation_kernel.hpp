@@ -241,6 +241,19 @@ inline void transpose(typename VectorOf<Number>::Type* v) {
   if constexpr (n > 8) swap_blocks.template operator()<8>(lanes);
 }
 
+/// The sum over the lanes of each of as many vectors as they have lanes.
+template <class Number>
+inline typename VectorOf<Number>::Type side_by_side(const typename VectorOf<Number>::Type* sums) {
+  constexpr int n = VectorOf<Number>::count;
+  typename VectorOf<Number>::Type part[n];
+  for (int k = 0; k < n; ++k) part[k] = sums[k];
+  transpose<Number>(part);
+  for (int width = n / 2; width > 0; width /= 2) {
+    for (int k = 0; k < width; ++k) part[k] += part[k + width];
+  }
+  return part[0];
+}
+
 /// Series are stored cell by cell, `padded` real parts, then as many imaginary parts; padded is a
 /// multiple of the lanes. gather: from[i] is the series of lane i; scatter stores where to[i] is
 /// not null.
