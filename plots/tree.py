@@ -10,12 +10,12 @@ from matplotlib.transforms import Affine2D
 
 USUAL = 50  # blobs that a cell may hold and stay whole, where the scene leaves it to the program
 CLOSER = 11  # so many times the close-up enlarges
-COLOURS = LinearSegmentedColormap.from_list("circulation", ["#0f4c94", "#4f93c8", "#c4c4c4",
+COLOURS = LinearSegmentedColormap.from_list("vorticity", ["#0f4c94", "#4f93c8", "#c4c4c4",
                                                             "#e07a60", "#a3191f"])
 
 
 def draw(run):
-    time, x, y, gamma = last_frame(run)
+    time, x, y, gamma, sigma = last_frame(run)
     most = run.scene.get("velocity", {}).get("capacity", 0) or USUAL
     if x.size <= most:
         raise Nothing
@@ -29,9 +29,11 @@ def draw(run):
     wide = min(max(size[0] / size[1], 0.5), 2)
     fig = figure(11.0, 9.6 / (1 + wide) + 1.1, run.scene.get("title"))
     whole, closer = fig.subplots(1, 2, width_ratios=[wide, 1])
-    paint = {"c": gamma, "vmax": np.quantile(np.abs(gamma), 0.95), "order": np.abs(gamma).argsort()}
-    show(whole, run, cells, x, y, paint, low, size, min(6, 13000 / x.size))
-    show(closer, run, cells, x, y, paint, centre - near / 2, near, 7)
+    omega = gamma / sigma**2
+    blobs = np.array([x, y, omega])[:, np.abs(omega).argsort()]
+    most_shown = np.quantile(np.abs(omega), 0.9)
+    show(whole, run, cells, blobs, most_shown, low, size)
+    show(closer, run, cells, blobs, most_shown, centre - near / 2, near)
     whole.add_patch(Rectangle(centre - near / 2, *near, fill=False, ec=INK, lw=1.2, zorder=4))
     whole.set_title(f"{x.size:,} blobs at $t = {time:.4g}$: {len(cells):,} cells, "
                     f"none with more than {most}")
@@ -40,11 +42,12 @@ def draw(run):
     return fig
 
 
-def show(axes, run, cells, x, y, paint, low, size, dot):
+def show(axes, run, cells, blobs, strong, low, size):
+    """Cells and blobs, these in the colours of their vorticity, the strong ones in front."""
     axes.add_collection(LineCollection(edges(cells), colors=INK, linewidths=0.4, alpha=0.7))
-    order, most = paint["order"], paint["vmax"]
-    axes.scatter(x[order], y[order], s=dot, c=paint["c"][order], cmap=COLOURS, vmin=-most,
-                 vmax=most, lw=0, zorder=2)
+    x, y, omega = blobs[:, np.all(np.abs(blobs[:2].T - low - size / 2) < size / 2, axis=1)]
+    axes.scatter(x, y, s=min(7, 13000 / max(x.size, 1)), c=omega, cmap=COLOURS, vmin=-strong,
+                 vmax=strong, lw=0, zorder=2)
     if "body" in run.scene:
         radius, place = run.body
         body = outline(run.scene["body"])
@@ -62,7 +65,8 @@ def last_frame(run):
             raise Nothing
         try:
             last = max(frames, key=lambda group: group.attrs["step"])
-            return (float(last.attrs["time"]), *(last[name][()] for name in ("x", "y", "gamma")))
+            return (float(last.attrs["time"]), *(last[name][()] for name in
+                                                 ("x", "y", "gamma", "sigma")))
         except (KeyError, OSError):
             raise Broken(f"{run.folder / 'frames.h5'}: its last frame is damaged") from None
 
