@@ -4,47 +4,64 @@ import numpy as np
 from _outline import outline
 from _streamlines import streamlines
 from _style import Nothing, figure, main
-from matplotlib.colors import LinearSegmentedColormap
+from matplotlib.colors import LinearSegmentedColormap, TwoSlopeNorm
 
 MOST = 4  # panels
-COLOURS = LinearSegmentedColormap.from_list("vorticity", [
-    "#1f5fa8", "#3d87c0", "#7db6da", "#b9d9ec", "#e1eff7", "#ffffff", "#fdebe1", "#fac9b0",
-    "#ef9a7c", "#d75f50", "#b3202f"])
+BLUES = ["#1f5fa8", "#3d87c0", "#7db6da", "#b9d9ec", "#e1eff7", "#ffffff"]
+REDS = ["#ffffff", "#fdebe1", "#fac9b0", "#ef9a7c", "#d75f50", "#b3202f"]
+COLOURS = LinearSegmentedColormap.from_list("vorticity", BLUES + REDS[1:])
+UPPER = LinearSegmentedColormap.from_list("positive", REDS)
 
 
 def draw(run):
     body = "body" in run.scene
     circle = body and run.scene["body"].get("shape", "circle") == "circle"
     fields = scaled(run, body)
-    clip = scale(fields, body)
-    box = window(fields, body, 0.02 * clip)
-    columns = min(2, len(fields))
+    paint, most = colours(fields, body)
+    boxes = windows(fields, body, 0.02 * most)
+    tall = (boxes[0][3] - boxes[0][2]) / (boxes[0][1] - boxes[0][0])
+    shared = boxes[0] is boxes[-1]
+    columns = min(len(fields), MOST if tall > 0.8 else 2)
     rows = -(-len(fields) // columns)
-    height = 4.6 * (box[3] - box[2]) / (box[1] - box[0])
-    fig = figure(1.0 + 5.0 * columns, 0.6 + rows * (0.45 + height), run.scene.get("title"))
-    grid = fig.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
-    for axes, field in zip(grid.flat, fields):
-        picture = vorticity(axes, field, circle, clip)
+    fig = figure(11.0, 0.6 + rows * (0.45 + tall * 9.2 / max(columns, 2)), run.scene.get("title"))
+    grid = fig.subplots(rows, columns, sharex=shared, sharey=shared, squeeze=False)
+    for axes, field, box in zip(grid.flat, fields, boxes):
+        picture = vorticity(axes, field, circle, paint)
         closed = run.stream.any() and "strouhal" not in run.check and "plunge" not in run.scene
         if circle and closed:  # closed wakes only
             streamlines(axes, field, run.stream / run.speed)
         if body:
             axes.add_patch(outline(run.scene["body"]))
-        axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$")
+        axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$"
+                       + (f",  largest {field['peak']:.3g}" if "peak" in field else ""))
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
         axes.grid(False)
-    for axes in grid.flat[len(fields):]:
+    name(grid, len(fields), body)
+    scale_bar(fig, grid, picture, "vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$"
+              if "peak" not in fields[0] else "vorticity, of the largest then", body)
+    return fig
+
+
+def name(grid, pictures, body):
+    columns = grid.shape[1]
+    for axes in grid.flat[pictures:]:
         axes.set_visible(False)
-    for axes in grid.flat[max(0, len(fields) - columns):len(fields)]:
+    for axes in grid.flat[max(0, pictures - columns):pictures]:
         axes.set_xlabel("$x/R$" if body else "$x$")
         axes.tick_params(labelbottom=True)
     for axes in grid[:, 0]:
         axes.set_ylabel("$y/R$" if body else "$y$")
-    bar = fig.colorbar(picture, ax=grid, shrink=0.8, aspect=32, pad=0.012,
+
+
+def scale_bar(fig, grid, picture, words, body):
+    bar = fig.colorbar(picture, ax=grid, shrink=0.8, aspect=16 * min(len(grid), 2), pad=0.012,
                        extend="both" if body else "neither")
-    bar.set_label("vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$")
+    bar.set_label(words)
     bar.outline.set_linewidth(0.5)
-    return fig
+    if isinstance(picture.norm, TwoSlopeNorm):  # each sign has a half of its own
+        low, high = picture.norm.vmin, picture.norm.vmax
+        ticks = (low, low / 2, 0, high / 2, high)
+        bar.set_ticks(ticks, labels=[f"{v:.3g}".replace("-", "\N{MINUS SIGN}") for v in ticks])
 
 
 def scaled(run, body):
@@ -59,23 +76,64 @@ def scaled(run, body):
              "time": f["time"] * speed / length} for f in fields]
 
 
-def scale(fields, body):
-    """Where the colours end, in round numbers. With a body the thin layers at the wall go far
-    beyond: the scale serves the wake, 0.7 of the typical peak away from the wall."""
+def colours(fields, body):
+    """The look of the pictures, and the largest vorticity that it tells apart."""
+    if body:
+        clip = scale(fields)
+        return {"cmap": COLOURS, "vmin": -clip, "vmax": clip}, clip
+    for field in relative(fields):
+        if not 0 < np.abs(field["omega"]).max(initial=0) < np.inf:
+            raise Nothing
+    least = min(field["omega"].min() for field in fields)
+    most = max(field["omega"].max() for field in fields)
+    if -least < 0.01 * most:  # of one sign
+        return {"cmap": UPPER, "vmin": 0, "vmax": rounded(most)}, most
+    low, high = rounded(max(-least, 0.01 * most)), rounded(max(most, -0.01 * least))
+    return {"cmap": COLOURS, "norm": TwoSlopeNorm(0, -low, high)}, min(low, high)
+
+
+def relative(fields):
+    """In free space vorticity may fade so far that one scale serves the first picture only: then
+    each is shown relative to its own peak."""
+    peaks = [np.abs(field["omega"]).max(initial=0) for field in fields]
+    if max(peaks) > 2 * min(peaks) > 0:
+        for field, peak in zip(fields, peaks):
+            field.update(omega=field["omega"] / peak, peak=peak)
+    return fields
+
+
+def scale(fields):
+    """Where the colours end. The thin layers at the wall go far beyond: the scale serves the wake,
+    0.7 of the typical peak away from the wall."""
     peaks = []
     for field in fields:
         X, Y = np.meshgrid(field["x"], field["y"])
-        away = np.hypot(X, Y) > (1.25 if body else 0)
-        peaks.append(np.abs(field["omega"][away]).max(initial=0))
-    most = 0.7 * np.median(peaks) if body else max(peaks)
+        peaks.append(np.abs(field["omega"][np.hypot(X, Y) > 1.25]).max(initial=0))
+    most = 0.7 * np.median(peaks)
     if not 0 < most < np.inf:
         raise Nothing
+    return rounded(0.9 * most)
+
+
+def rounded(most):
+    """The next round number."""
     steps = np.outer(10.0**np.arange(-9, 10), [1, 1.5, 2, 3, 4, 5, 6, 8]).ravel()
-    return float(steps[steps >= 0.9 * most][0])
+    return float(steps[steps >= most * (1 - 1e-9)][0])
+
+
+def windows(fields, body, faint):
+    """What each picture shows, as xlim and ylim in a row: all that is ever not faint, and the body.
+    Vortices that travel far are followed: then each has a window about its own middle."""
+    whole = window(fields, body, faint)
+    own = [window([field], body, faint) for field in fields]
+    size = np.max([np.subtract(box[1::2], box[::2]) for box in own], axis=0)
+    if body or np.all(np.subtract(whole[1::2], whole[::2]) < 3 * size):
+        return [whole] * len(fields)
+    return [np.ravel([[middle - half, middle + half] for middle, half in
+                      zip((np.add(box[1::2], box[::2])) / 2, size / 2)]) for box in own]
 
 
 def window(fields, body, faint):
-    """Around all that is not faint, and the body: xlim, ylim."""
     x, y = fields[-1]["x"], fields[-1]["y"]
     rows, columns = np.nonzero(np.max([np.abs(f["omega"]) for f in fields], axis=0) > faint)
     left, right = x[columns.min()], x[columns.max()]
@@ -85,7 +143,7 @@ def window(fields, body, faint):
             min(high + pad, y[-1])]
 
 
-def vorticity(axes, field, circle, clip):
+def vorticity(axes, field, circle, paint):
     x, y, omega = field["x"], field["y"], field["omega"].copy()
     if circle:  # the values beside the wall go on inside, so that no pale seam runs along it
         X, Y = np.meshgrid(x, y)
@@ -95,7 +153,7 @@ def vorticity(axes, field, circle, clip):
         omega[j, i] = omega[np.abs(y[:, None] - out * Y[j, i]).argmin(0),
                             np.abs(x[:, None] - out * X[j, i]).argmin(0)]
     dx, dy = x[1] - x[0], y[1] - y[0]
-    return axes.imshow(omega, cmap=COLOURS, vmin=-clip, vmax=clip, origin="lower",
+    return axes.imshow(omega, origin="lower", **paint,
                        extent=(x[0] - dx / 2, x[-1] + dx / 2, y[0] - dy / 2, y[-1] + dy / 2),
                        interpolation="bicubic")
 

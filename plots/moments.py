@@ -86,7 +86,7 @@ def merging(pair, run, report, reference, shown, dots):
             axes.axvline(report["t"][k], color=ORANGE, lw=0.9)
         note(bottom, f"$b$ has fallen by 1 % at $a/b = {ratio[k]:.3f}$ (0.22: Meunier et al. 2002)",
              0.02, 0.95)
-    top.legend(loc="lower left")
+    top.legend(loc="center", bbox_to_anchor=(0.56, 0.48))
 
 
 main("moments.png", draw)

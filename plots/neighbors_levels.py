@@ -27,7 +27,7 @@ def draw(run):
             draw_line(axes, bench, name, scale, *line)
     n, seconds = columns(bench.select(method="qcg", set=ADAPTIVE), "fastest")
     slope(panels[0], [n[0], 3e5], 0.55e3 * seconds[0], 1, "$O(N)$")
-    slope(panels[0], [n[0], 1e5], 2e3 * seconds[0], 2, "$O(N^2)$")
+    slope(panels[0], [n[0], 3.5e4], 2e3 * seconds[0], 2, "$O(N^2)$")
     handles, labels = panels[0].get_legend_handles_labels()
     signed(fig, bench, handles, labels, 2)
     return fig
@@ -40,10 +40,13 @@ def draw_line(axes, bench, name, scale, method, sets, words, style, letters):
     axes.plot(n, scale * values, color=colour, marker=marker, ms=5, ls=style,
               mfc="white" if sets is UNIFORM else colour, label=words)
     letter = dict(zip(sets, letters))
+    above = -13 if method == "qcg" else 5  # where no other line runs
     for row in rows:
-        if letter.get(row["set"]):
-            axes.annotate(letter[row["set"]], (row["n"], scale * row[name]), xytext=(0, 5),
-                          textcoords="offset points", ha="center", fontsize=8.5, color=colour)
+        words = letter.get(row["set"])
+        if words:
+            axes.annotate(words, (row["n"], scale * row[name]), textcoords="offset points",
+                          xytext=(0, above) if len(words) == 1 else (-6, -3), fontsize=8.5,
+                          ha="center" if len(words) == 1 else "right", color=colour)
 
 
 main("neighbors_levels.png", draw)

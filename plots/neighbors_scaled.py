@@ -37,7 +37,7 @@ def panel(axes, bench, family, words):
         if listing == "both":
             power(axes, n, seconds, METHODS["qcg"][1], -14)
     if family == "scaled":
-        note(axes, "some 50 neighbors each", 0.02, 0.985)
+        note(axes, "some 50 neighbors each", 0.02, 0.02)
 
 
 def power(axes, n, seconds, colour, above):

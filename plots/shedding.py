@@ -41,7 +41,7 @@ def draw(run):
 
     frequency, power = periodogram(report["cl_impulse"][late], t[1] - t[0])
     spectrum.semilogy(frequency, power / power.max(), color=BLUE)
-    peak = frequency[power.argmax()]
+    peak = highest(frequency, power)
     spectrum.axvline(check["strouhal"], color=INK, lw=0.9, ls=(0, (5, 3)),
                      label=f"asked {check['strouhal']}")
     spectrum.set(xlim=(0, 4 * peak), ylim=(1e-8, 3), xlabel="frequency  $fD/U$",
@@ -49,6 +49,13 @@ def draw(run):
     spectrum.legend(loc="upper right")
     note(spectrum, f"peak at {peak:.4f}", y=0.86)
     return fig
+
+
+def highest(frequency, power):
+    """Where a parabola through the logarithm of the three highest values has its top."""
+    k = min(max(power.argmax(), 1), power.size - 2)
+    below, top, above = np.log(power[k - 1:k + 2])
+    return frequency[k] + (below - above) / (below - 2 * top + above) / 2 * frequency[1]
 
 
 def periodogram(signal, dt):

@@ -4,9 +4,17 @@ import csv
 
 import numpy as np
 from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Broken, Nothing, figure, main, note
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 NOT_ERRORS = {"steps", "blobs", "particle_steps", "seconds", "blobs_max", "lift_max"}
-KEPT = {"circulation_max", "impulse_max", "second_moment_max"}  # shown where nothing else is
+# Shown where nothing else is: drifts of what is kept, and an error that is no share.
+SECOND = {"circulation_max", "impulse_max", "second_moment_max", "separation_max_deg"}
+WORDS = {"drag_max": "drag, largest", "drag_rms": "drag, rms", "bubble_max": "length of the wake",
+         "routes_max": "two drag routes apart", "wall_vorticity_rms": "vorticity at the wall",
+         "lift_routes_max": "two lift routes apart", "separation_max_deg": "separation  [deg]",
+         "mean_drag_max": "mean drag", "mean_lift_max": "mean lift",
+         "strouhal_max": "Strouhal number", "quadrupole_max": "quadrupole",
+         "separation_max": "distance of the vortices"}
 LOOKS = [(BLUE, "o"), (ORANGE, "s"), (GREEN, "D"), (RED, "^"), (SKY, "v"), (GREY, "P")]
 
 
@@ -19,15 +27,15 @@ def draw(run):
               and any(usable(number(row[name])) for row in rows)]
     if not errors:
         raise Nothing
-    errors = [name for name in errors if name not in KEPT] or errors
+    errors = [name for name in errors if name not in SECOND] or errors
     curves = grouped(rows, keys)
     numeric = all(number(row[keys[-1]]) == number(row[keys[-1]]) for row in rows)
     fig = figure(10.5 if numeric else 6.6, 4.6, title(notes))
     panels = fig.subplots(1, 2 if numeric else 1, squeeze=False)[0]
     if len(curves) > 1:  # one error tells the groups apart
-        shown = [(f"{group}: {errors[0]}", members, errors[0]) for group, members in curves]
+        shown = [(group.replace("_", " "), members, errors[0]) for group, members in curves]
     elif numeric:
-        shown = [(name, curves[0][1], name) for name in errors[:len(LOOKS)]]
+        shown = [(said(name), curves[0][1], name) for name in errors[:len(LOOKS)]]
     else:
         shown = [(row[keys[-1]], [row], errors[0]) for row in rows]
     for (label, members, error), (colour, marker) in zip(shown, LOOKS):
@@ -38,7 +46,10 @@ def draw(run):
             h = np.array([number(row[keys[-1]]) for row in members])
             panels[0].plot(h, e, label=f"{label}{slope(h, e)}", **style)
         panels[-1].plot(e, seconds, label=label, **style)
-    finish(panels, keys[-1], numeric, errors[0])
+    what = f"error of the {said(errors[0])}" if len(curves) > 1 else "error"
+    finish(panels, keys[-1], numeric, what if numeric else said(errors[0]))
+    if numeric:
+        at_values(panels[0], sorted({number(row[keys[-1]]) for row in rows}))
     panels[0].legend(loc="best", fontsize=9)
     fig.text(0.995, 0.005, notes.get("machine", "").split(", Linux")[0], ha="right", va="bottom",
              fontsize=7.5, color=GREY)
@@ -84,16 +95,28 @@ def slope(h, e):
     return f",  order {np.polyfit(np.log(h[good]), np.log(e[good]), 1)[0]:.2f}"
 
 
+def said(name):
+    return WORDS.get(name, name.removesuffix("_max").replace("_", " "))
+
+
 def title(notes):
     return notes.get("scene", "").strip()
 
 
+def at_values(axes, values):
+    if 0 < values[0] and len(values) <= 8:
+        axes.set_xticks(values, labels=[f"{v:g}" for v in values])
+        axes.set_xticks([], minor=True)
+
+
 def finish(panels, key, numeric, error):
     if numeric:
-        panels[0].set(xscale="log", yscale="log", xlabel=key, ylabel="error")
+        panels[0].set(xscale="log", yscale="log", xlabel=key, ylabel=error)
     last = panels[-1]
-    last.set(xscale="log", yscale="log", xlabel="error" if numeric else error,
-             ylabel="wall time  [s]")
+    last.set(xscale="log", yscale="log", xlabel=error, ylabel="wall time  [s]")
+    last.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    last.yaxis.set_major_formatter(FuncFormatter(lambda seconds, _: f"{seconds:g}"))
+    last.yaxis.set_minor_formatter(NullFormatter())
     if not numeric:
         last.legend(loc="best", fontsize=9)
     for axes in panels:

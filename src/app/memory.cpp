@@ -2,17 +2,14 @@
 
 #include <sys/resource.h>
 
-#include <fstream>
-#include <string>
+#include "bench/memory.hpp"
 
 namespace vortree::app {
 
 // getrusage alone would report the parent's memory as well: a process that a large one starts by
 // fork and exec inherits its ru_maxrss.
 std::size_t peak_bytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (std::size_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes) return kibibytes * 1024;
+  if (const auto most = bench::status_bytes("VmHWM:")) return *most;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;

@@ -1,46 +1,31 @@
 #include "app/run.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
-#include <optional>
 #include <stdexcept>
 
 #include "app/advice.hpp"
 #include "app/clock.hpp"
 #include "app/flow_case.hpp"
-#include "app/memory.hpp"
 #include "app/outcome.hpp"
 #include "app/picture.hpp"
 #include "app/places.hpp"
 #include "app/plot.hpp"
 #include "app/progress.hpp"
 #include "app/record.hpp"
+#include "app/run_files.hpp"
 #include "app/sanity.hpp"
 #include "app/signals.hpp"
+#include "app/summary.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
-#include "io/report.hpp"
-#include "io/table.hpp"
-#include "vortex/energy.hpp"
 
 namespace vortree::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::vector<std::string> wall_columns{"t", "T", "angle_deg", "vorticity", "sheet"};
-const std::vector<std::string> energy_columns{"t", "energy", "enstrophy"};
-constexpr std::size_t most_for_energy = 20000;  // blobs: its sum is over all pairs
-
-/// Numbers of a whole run, over all its resumptions.
-struct Totals {
-  double particle_steps = 0, most_blobs = 0, seconds = 0, largest_drift = 0;
-};
 
 /// One run on its way. Everything that the next step depends on goes into a frame.
 class Run {
@@ -50,6 +35,7 @@ class Run {
         folder_(options.out),
         figures_(options.figures),
         flow_(flow_case(scene_)),
+        files_(scene_, flow_, folder_),
         history_(flow_) {}
 
   void begin();
@@ -65,54 +51,32 @@ class Run {
 
   void advance();
   void save();
-  void save_wall();
   void save_fields();
   void observe(const vortex::Wake& wake);
   [[noreturn]] void give_up(const std::string& reason, vortex::Blobs last_good);
   double drift(const Record& record) const;
   RunResult finish();
-  io::Json summary(std::span<const Verdict> verdicts) const;
   History::Write writer() {
-    return [this](const Record& r) {
-      const auto all = r.values();
-      report_->row(std::span(all).first(Record::columns));
-    };
+    return [this](const Record& record) { files_.row(record); };
   }
 
   io::Scene scene_;
   fs::path folder_;
   bool figures_;
   FlowCase flow_;
+  RunFiles files_;
   vortex::Blobs blobs_;
   History history_;
   Totals totals_;
   Stopwatch watch_;
   Stopwatch::Phases before_step_;
-  std::optional<io::Report> report_, wall_report_, energy_report_;
   std::vector<double> sheet_, wall_vorticity_;
   double second_moment_at_start_ = 0;
   long step_ = 0, saved_step_ = -1;
 };
 
-io::RunInfo run_info(const io::Scene& scene) {
-  return {.version = version(),
-          .scene_path = scene.origin.path.string(),
-          .scene = scene.origin.text,
-          .resolved = io::resolved(scene),
-          .overrides = scene.origin.overrides,
-          .seed = scene.seed,
-          .units = "consistent: lengths, times and circulations as in the scene"};
-}
-
 void Run::begin() {
-  io::create_frames(folder_, run_info(scene_));
-  fs::remove(folder_ / "fields.h5");
-  fs::remove(folder_ / "summary.json");
-  report_.emplace(folder_ / "report.csv", Record::names());
-  if (flow_.wall)
-    wall_report_.emplace(folder_ / "wall.csv", wall_columns);
-  else
-    energy_report_.emplace(folder_ / "energy.csv", energy_columns);
+  files_.begin();
   blobs_ = initial_blobs(scene_);
   const vortex::Wake wake = vortex::start(blobs_, flow_.problem);
   observe(wake);
@@ -120,33 +84,8 @@ void Run::begin() {
   save_fields();
 }
 
-/// The first difference that would change the flow itself, or nothing.
-std::string difference(const io::Scene& a, const io::Scene& b) {
-  if (a.flow != b.flow) return "[flow]";
-  if (a.body != b.body) return "[body]";
-  if (a.plunge != b.plunge) return "[plunge]";
-  if (a.diffusion != b.diffusion) return "[diffusion]";
-  if (a.cores != b.cores) return "[cores]";
-  if (a.splitting != b.splitting) return "[splitting]";
-  if (a.merging != b.merging) return "[merging]";
-  if (a.initial != b.initial) return "[initial]";
-  if (a.time.dt != b.time.dt || a.time.scheme != b.time.scheme) return "[time]";
-  if (a.velocity != b.velocity) return "[velocity]";
-  return a.seed != b.seed ? "seed" : "";
-}
-
 void Run::resume() {
-  const fs::path file = folder_ / "frames.h5";
-  const io::RecoveredFrames found = io::read_last_good(file);
-  if (!found.warning.empty()) fmt::print(stderr, "vortree: {}\n", found.warning);
-  if (!found.last) throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));
-  const io::Scene was = io::parse_scene(found.info.resolved, scene_.origin.path);
-  if (const std::string where = difference(was, scene_); !where.empty())
-    throw io::InputError(
-        fmt::format("{}: was run with another {} than {} has now; only time.end, "
-                    "[output] and [check] may change on the way",
-                    file.string(), where, scene_.origin.path.string()));
-  const io::Frame& frame = *found.last;
+  const io::Frame frame = files_.last_frame();
   step_ = saved_step_ = frame.step;
   flow_.problem.time = time(step_);
   blobs_ = {frame.x, frame.y, frame.gamma, frame.sigma};
@@ -158,14 +97,7 @@ void Run::resume() {
   second_moment_at_start_ = t.at(4);
   if (const auto gone = frame.state.find("retired"); gone != frame.state.end())
     flow_.problem.retired = {gone->second.at(0), {gone->second.at(1), gone->second.at(2)}};
-  io::rewind_frames(folder_, step_);
-  io::rewind_fields(folder_, time(step_));
-  // The row of the frame itself waits in the history for the step after it.
-  report_ = io::Report::resume(folder_ / "report.csv", Record::names(), time(step_ - 1));
-  if (flow_.wall)
-    wall_report_ = io::Report::resume(folder_ / "wall.csv", wall_columns, time(step_));
-  else
-    energy_report_ = io::Report::resume(folder_ / "energy.csv", energy_columns, time(step_));
+  files_.resume(step_);
   fmt::print(stderr, "vortree: going on from step {}, t = {:g}\n", step_, time(step_));
 }
 
@@ -252,32 +184,19 @@ void Run::save() {
   if (flow_.wall) {
     frame.state["sheet"] = sheet_;
     frame.state["wall_vorticity"] = wall_vorticity_;
-    save_wall();
-  } else if (blobs_.size() <= most_for_energy) {
-    const vortex::Energy now = vortex::energy(blobs_);
-    energy_report_->row(std::array{time(step_), now.energy, now.enstrophy});
+    if (step_ > 0)  // the wall vorticity of an impulsive start is infinite
+      files_.wall(time(step_), sheet_, wall_vorticity_);
+  } else {
+    files_.energy(time(step_), blobs_);
   }
-  io::append_frame(folder_, frame);
+  files_.frame(frame);
   saved_step_ = step_;
-}
-
-void Run::save_wall() {
-  if (step_ == 0) return;  // the wall vorticity of an impulsive start is infinite
-  const double t = time(step_), T = 2 * flow_.speed * t / flow_.diameter;
-  const vortex::Vec2 s = flow_.along;
-  for (std::size_t i = 0; i < flow_.wall->panels(); ++i) {
-    const vortex::Vec2 c{scene_.body->centre[0], scene_.body->centre[1]};
-    const vortex::Vec2 d = flow_.wall->middle(i) - c;
-    const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
-    const std::array<double, 5> row{t, T, angle, wall_vorticity_[i], sheet_[i]};
-    wall_report_->row(row);
-  }
 }
 
 void Run::save_fields() {
   const bool due = std::ranges::any_of(
       scene_.output.fields, [&](double t) { return std::lround(t / scene_.time.dt) == step_; });
-  if (due) io::append_field(folder_, picture(time(step_), scene_.output, blobs_, flow_));
+  if (due) files_.field(picture(time(step_), scene_.output, blobs_, flow_));
 }
 
 /// Relative drift of what is kept: circulation beside a wall, else the second moment but for
@@ -315,52 +234,24 @@ RunResult Run::go() {
   return finish();
 }
 
-io::Json Run::summary(std::span<const Verdict> verdicts) const {
-  io::Json json;
-  json["scene"] = scene_.origin.path.string();
-  json["title"] = scene_.title;
-  json["version"] = version();
-  json["threads"] = omp_get_max_threads();
-  json["steps"] = std::int64_t{step_};
-  json["blobs"] = static_cast<std::uint64_t>(blobs_.size());
-  json["largest_blob_count"] = totals_.most_blobs;
-  json["particle_steps"] = totals_.particle_steps;
-  const double seconds = totals_.seconds + watch_.elapsed();
-  json["particle_steps_per_second"] = totals_.particle_steps / seconds;
-  json["peak_bytes"] = static_cast<std::uint64_t>(peak_bytes());
-  json["largest_drift"] = totals_.largest_drift;
-  json["seconds"]["total"] = seconds;
-  const io::Table report(folder_ / "report.csv");
-  for (const char* phase : {"convect", "wall", "split", "merge", "output"}) {
-    const auto laps = report.column(std::string("seconds_") + phase);
-    json["seconds"][phase] = std::accumulate(laps.begin(), laps.end(), 0.0);
-  }
-  json["check"]["passed"] = std::ranges::all_of(verdicts, &Verdict::passed);
-  for (const Verdict& v : verdicts) {
-    json["check"][v.what]["asked"] = v.asked;
-    json["check"][v.what]["reached"] = v.reached;
-    json["check"][v.what]["passed"] = v.passed();
-  }
-  return json;
-}
-
 RunResult Run::finish() {
   history_.finish(writer());
   const std::vector<Verdict> list = verdicts(scene_, folder_, blobs_, flow_);
-  const io::Json json = summary(list);
-  io::write_json(folder_ / "summary.json", json);
-  const double seconds = totals_.seconds + watch_.elapsed();
+  totals_.seconds += watch_.elapsed();
+  io::write_json(folder_ / "summary.json",
+                 summary(scene_, folder_, step_, blobs_.size(), totals_, list));
   if (figures_) plot(folder_);
   fmt::print(
       "{} steps, {} blobs at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",
-      step_, blobs_.size(), seconds, totals_.particle_steps / seconds / 1e6, folder_.string());
+      step_, blobs_.size(), totals_.seconds, totals_.particle_steps / totals_.seconds / 1e6,
+      folder_.string());
   fmt::print("{}\n", verdict_line(list));
   return {.finished = true,
           .verdicts = list,
           .steps = step_,
           .most_blobs = totals_.most_blobs,
           .particle_steps = totals_.particle_steps,
-          .seconds = seconds};
+          .seconds = totals_.seconds};
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ struct RunResult {
   bool passed() const;
 };
 
-/// Runs a scene from its start, or from the last frame in `out`, to its end; see README.md for what
-/// it leaves in `out`.
+/// Runs a scene from its start, or from the last frame in `out`, to its end; see cases/scenes.md for
+/// what it leaves in `out`.
 ///
 /// throws   io::InputError for wrong input (exit code 2); any other exception is a failed run (exit
 /// code 1)

@@ -19,34 +19,27 @@ Lanes pair_reach(double own, Lanes others) {
 }
 
 // A register full of particles at a time.
-template <PairRule rule>
-void find(const NeighborJob& job, std::size_t i, std::vector<std::int32_t>& row) {
-  const double *x = job.points.x.data(), *y = job.points.y.data(), *reach = job.reach.data();
-  const bool once = job.listing == tree::Listing::once;
-  const std::size_t n = job.points.size();
-  for (std::size_t j = 0; j < n; j += lane_count) {
-    const LaneSet there = first_lanes(n - j);
-    const bool whole = j + lane_count <= n;
-    const Lanes dx = (whole ? load(x + j) : load(x + j, there)) - x[i];
-    const Lanes dy = (whole ? load(y + j) : load(y + j, there)) - y[i];
-    const Lanes r = pair_reach<rule>(reach[i], whole ? load(reach + j) : load(reach + j, there));
-    LaneSet hits = where(dx * dx + dy * dy < r * r) & there;
-    for (; hits != 0; hits &= hits - 1) {
-      const std::size_t k = j + static_cast<std::size_t>(std::countr_zero(hits));
-      if (k != i && (!once || keeps(job, i, k))) row.push_back(static_cast<std::int32_t>(k));
-    }
-  }
-}
-
-class AllPairs : public NeighborMethod {
+class AllPairs : public RowByRow<AllPairs> {
  public:
   void build(const NeighborJob&) override {}
-  void search(const NeighborJob& job, tree::Rows& rows) override {
-    with_rule(job.rule, [&]<PairRule rule> {
-      write_rows(
-          job.points.size(),
-          [&](std::size_t i, std::vector<std::int32_t>& row) { find<rule>(job, i, row); }, rows);
-    });
+
+  template <PairRule rule>
+  void find(const NeighborJob& job, std::size_t i, std::vector<std::int32_t>& row) const {
+    const double *x = job.points.x.data(), *y = job.points.y.data(), *reach = job.reach.data();
+    const bool once = job.listing == tree::Listing::once;
+    const std::size_t n = job.points.size();
+    for (std::size_t j = 0; j < n; j += lane_count) {
+      const LaneSet there = first_lanes(n - j);
+      const bool whole = j + lane_count <= n;
+      const Lanes dx = (whole ? load(x + j) : load(x + j, there)) - x[i];
+      const Lanes dy = (whole ? load(y + j) : load(y + j, there)) - y[i];
+      const Lanes r = pair_reach<rule>(reach[i], whole ? load(reach + j) : load(reach + j, there));
+      LaneSet hits = where(dx * dx + dy * dy < r * r) & there;
+      for (; hits != 0; hits &= hits - 1) {
+        const std::size_t k = j + static_cast<std::size_t>(std::countr_zero(hits));
+        if (k != i && (!once || keeps(job, i, k))) row.push_back(static_cast<std::int32_t>(k));
+      }
+    }
   }
 };
 

@@ -16,7 +16,7 @@ using tree::PairRule;
 // Khorasanizade & Sousa 2019, figure 6: one particle to a childless cell; from the root down,
 // whatever cell a square around the particle overlaps. For the rules that look at both reaches, a
 // cell knows the largest inside.
-class LeafQuadtree : public NeighborMethod {
+class LeafQuadtree : public RowByRow<LeafQuadtree> {
  public:
   void build(const NeighborJob& job) override {
     tree_ = tree::build_forward(tree::morton_order(job.points, tree::enclose(job.points)),
@@ -36,26 +36,6 @@ class LeafQuadtree : public NeighborMethod {
       }
     }
   }
-
-  void search(const NeighborJob& job, tree::Rows& rows) override {
-    with_rule(job.rule, [&]<PairRule rule> {
-      write_rows(
-          job.points.size(),
-          [&](std::size_t i, std::vector<std::int32_t>& row) { find<rule>(job, i, row); }, rows);
-    });
-  }
-
- private:
-  struct Node {
-    tree::Centre centre;
-    double half;
-    double largest;  // reach inside
-    template <PairRule rule>
-    [[nodiscard]] bool overlaps(double x, double y, double reach) const {
-      const double r = tree::pair_reach<rule>(reach, largest) * (1 + 1e-9) + half;
-      return std::abs(x - centre.x) <= r && std::abs(y - centre.y) <= r;
-    }
-  };
 
   template <PairRule rule>
   void find(const NeighborJob& job, std::size_t i, std::vector<std::int32_t>& row) const {
@@ -78,6 +58,18 @@ class LeafQuadtree : public NeighborMethod {
       }
     }
   }
+
+ private:
+  struct Node {
+    tree::Centre centre;
+    double half;
+    double largest;  // reach inside
+    template <PairRule rule>
+    [[nodiscard]] bool overlaps(double x, double y, double reach) const {
+      const double r = tree::pair_reach<rule>(reach, largest) * (1 + 1e-9) + half;
+      return std::abs(x - centre.x) <= r && std::abs(y - centre.y) <= r;
+    }
+  };
 
   tree::Quadtree tree_;
   std::vector<Node> nodes_;

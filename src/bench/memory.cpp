@@ -4,26 +4,16 @@
 
 #include <fstream>
 #include <string>
-#include <string_view>
 
 #include "tree/memory.hpp"
 
 namespace vortree::bench {
-namespace {
 
 std::optional<std::size_t> status_bytes(std::string_view name) {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)
     if (std::size_t kibibytes = 0; word == name && status >> kibibytes) return kibibytes * 1024;
   return {};
-}
-
-}  // namespace
-
-void keep_freed_memory() {
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, 2'000'000'000);
-  mallopt(M_TOP_PAD, 64 << 20);
 }
 
 MemoryGrowth::MemoryGrowth() {

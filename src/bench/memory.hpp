@@ -2,12 +2,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 namespace vortree::bench {
 
-/// Lets the C library keep what is freed, so that repeated sums find their memory warm, as the
-/// steps of a flow do. For the whole process.
-void keep_freed_memory();
+/// What the system says of this process under a name ("VmHWM:", "VmRSS:") [bytes]; nothing if it
+/// does not tell.
+[[nodiscard]] std::optional<std::size_t> status_bytes(std::string_view name);
 
 /// Counts how much the process' memory grows at most, from now on.
 class MemoryGrowth {

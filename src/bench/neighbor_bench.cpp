@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "bench/anchors.hpp"
-#include "bench/memory.hpp"
 #include "bench/neighbor_measure.hpp"
 #include "bench/provenance.hpp"
 
@@ -199,7 +198,6 @@ class Bench {
 
 void neighbor_bench(const NeighborBench& job, const std::function<void(std::string_view)>& say) {
   const int threads = omp_get_max_threads();
-  keep_freed_memory();
   Bench bench(job, say);
   for (const Set& set : every_set(job.quick)) bench.measure_set(set);
   bench.say_exponents();

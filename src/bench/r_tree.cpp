@@ -25,7 +25,7 @@ Box box_around(double x, double y, double reach) {
 }
 
 // One tree of places, for whom a particle reaches; one of boxes, for who reaches it.
-class RTree : public NeighborMethod {
+class RTree : public RowByRow<RTree> {
  public:
   void build(const NeighborJob& job) override {
     std::vector<std::pair<Place, std::int32_t>> places;
@@ -40,15 +40,6 @@ class RTree : public NeighborMethod {
     boxes_ = decltype(boxes_)(boxes);
   }
 
-  void search(const NeighborJob& job, tree::Rows& rows) override {
-    with_rule(job.rule, [&]<PairRule rule> {
-      write_rows(
-          job.points.size(),
-          [&](std::size_t i, std::vector<std::int32_t>& row) { find<rule>(job, i, row); }, rows);
-    });
-  }
-
- private:
   template <PairRule rule>
   void find(const NeighborJob& job, std::size_t i, std::vector<std::int32_t>& row) const {
     const Place here(job.points.x[i], job.points.y[i]);
@@ -68,6 +59,7 @@ class RTree : public NeighborMethod {
                  }));
   }
 
+ private:
   bgi::rtree<std::pair<Place, std::int32_t>, bgi::rstar<16>> places_;
   bgi::rtree<std::pair<Box, std::int32_t>, bgi::rstar<16>> boxes_;
 };

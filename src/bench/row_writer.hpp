@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bench/exact_pairs.hpp"
 #include "tree/rows.hpp"
 
 namespace vortree::bench {
@@ -40,5 +41,27 @@ void write_rows(std::size_t n, const Find& find, tree::Rows& rows) {
     std::ranges::copy(found[p], rows.index.data() + rows.start[p * portion]);
   }
 }
+
+/// A method that takes one particle after the other: Method has
+///
+///   template <tree::PairRule rule>
+///   void find(const NeighborJob& job, std::size_t i, std::vector<std::int32_t>& row) const
+///
+/// as write_rows() asks for.
+template <class Method>
+class RowByRow : public NeighborMethod {
+ public:
+  void search(const NeighborJob& job, tree::Rows& rows) final {
+    const auto& method = static_cast<const Method&>(*this);
+    with_rule(job.rule, [&]<tree::PairRule rule> {
+      write_rows(
+          job.points.size(),
+          [&](std::size_t i, std::vector<std::int32_t>& row) {
+            method.template find<rule>(job, i, row);
+          },
+          rows);
+    });
+  }
+};
 
 }  // namespace vortree::bench

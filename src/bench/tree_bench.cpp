@@ -13,7 +13,6 @@
 
 #include "app/clock.hpp"
 #include "bench/anchors.hpp"
-#include "bench/memory.hpp"
 #include "bench/provenance.hpp"
 #include "bench/tree_contest.hpp"
 #include "bench/tree_rivals.hpp"
@@ -198,7 +197,6 @@ double spacing_of(const PointSet& set) {
 
 void tree_bench(const TreeBench& job, const std::function<void(std::string_view)>& say) {
   const int threads = omp_get_max_threads();
-  keep_freed_memory();
   Bench bench(job, say);
   const std::vector<std::size_t> numbers = sizes(job);
   const std::size_t crowd = std::min<std::size_t>(job.quick ? 100'000 : 1'000'000, numbers.back());

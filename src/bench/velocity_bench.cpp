@@ -13,7 +13,6 @@
 
 #include "bench/anchors.hpp"
 #include "bench/measure.hpp"
-#include "bench/memory.hpp"
 #include "bench/provenance.hpp"
 #include "bench/velocity_row.hpp"
 
@@ -122,7 +121,6 @@ class Bench {
 
 void velocity_bench(const VelocityBench& job, const std::function<void(std::string_view)>& say) {
   const int threads = omp_get_max_threads();
-  keep_freed_memory();
   Bench bench(job, say);
   for (const std::size_t n : bench.sizes()) {
     for (const Kind kind : every_kind)

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
+#include <regex>
 
+#include "app/places.hpp"
 #include "app/program.hpp"
 
 using namespace vortree::test;
@@ -102,6 +104,27 @@ TEST_CASE("every scene that comes with the program is valid") {
     CHECK(outcome.code == 0);
   }
   CHECK(scenes > 0);
+}
+
+TEST_CASE("every run that a page of the project names is of a valid scene") {
+  const TemporaryFolder folder;
+  const fs::path root = vortree::app::share_folder();
+  const std::regex run(R"(vortree run ([a-z][\w./]*(?: [\w.]+=[^\s`]+)*))"), more_values(",[^ ]*");
+  int runs = 0;
+  for (const char* page : {"README.md", "cases/README.md", "cases/scenes.md"}) {
+    const std::string text = text_of(root / page);
+    for (std::sregex_iterator it(text.begin(), text.end(), run); it != std::sregex_iterator();
+         ++it) {
+      std::string words =
+          std::regex_replace((*it)[1].str(), more_values, "");  // of a sweep the first
+      if (words.starts_with("cases/")) words = (root / words).string();
+      const auto outcome = call("check " + words, folder);
+      CAPTURE(page, words, outcome.err);
+      CHECK(outcome.code == 0);
+      ++runs;
+    }
+  }
+  CHECK(runs > 10);
 }
 
 TEST_CASE("plot hands the folder to every script, and reports the one that fails") {

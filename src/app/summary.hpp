@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+#include "app/outcome.hpp"
+#include "io/json.hpp"
+
+namespace vortree::app {
+
+/// Numbers of a whole run, over all its resumptions.
+struct Totals {
+  double particle_steps = 0, most_blobs = 0, seconds = 0, largest_drift = 0;
+};
+
+/// What summary.json says of a finished run: the scene, its `steps`, the `blobs` at the end,
+/// totals, and how it was checked. The seconds of the phases are read from report.csv in `folder`.
+io::Json summary(const io::Scene& scene, const std::filesystem::path& folder, long steps,
+                 std::size_t blobs, const Totals& totals, std::span<const Verdict> verdicts);
+
+}  // namespace vortree::app

@@ -1,0 +1,105 @@
+#include <cmath>
+
+#include "scenes.hpp"
+
+using namespace vortree::io;
+using namespace vortree::test;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("an accuracy chooses what is not written, and only that") {
+  const std::string rest =
+      "[flow]\nreynolds = 550\nstream = [2, 0]\n[body]\nradius = 0.25\n"
+      "[time]\nend = 1\n";
+  const Scene scene = parse("accuracy = 0.01\n" + rest);
+  CHECK(scene.flow.nu == Approx(2 * 0.5 / 550));
+  CHECK(scene.time.dt == Approx(0.02 * 0.25));
+  CHECK(scene.cores.sigma_max == Approx(4 * std::sqrt(0.01 * scene.flow.nu * 0.25)));
+  CHECK(scene.cores.sigma_0 == Approx(std::sqrt(2 * scene.flow.nu * scene.time.dt)));
+  CHECK(scene.velocity.cores == PairCores::both);
+  CHECK(parse(resolved(scene)) == scene);
+  const Scene finer = parse("accuracy = 0.0025\n" + rest);
+  CHECK(finer.cores.sigma_max == Approx(scene.cores.sigma_max / 2));
+  CHECK(finer.time.dt < scene.time.dt);
+  CHECK(finer.merging.tolerance == Approx(scene.merging.tolerance / 2));
+  CHECK(finer.velocity.tolerance < scene.velocity.tolerance);
+  CHECK(finer.body->panels > scene.body->panels);
+  const Scene own = parse("accuracy = 0.01\n" + rest, {"time.dt=0.001", "body.panels=99"});
+  CHECK(own.time.dt == 0.001);
+  CHECK(own.body->panels == 99);
+  CHECK(own.cores.sigma_max == scene.cores.sigma_max);
+  CHECK(parse(plain, {"accuracy=0.1"}).cores == parse(plain).cores);
+}
+
+TEST_CASE("a Reynolds number needs a body and a stream, and no other viscosity beside it") {
+  CHECK(refused(with("nu = 1e-3", "reynolds = 10")) ==
+        "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream "
+        "or a [plunge]");
+  CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nstream = [1, 0]\nreynolds = 10") +
+                     "[body]\nradius = 0.5"),
+             StartsWith("cases/ring.toml:5: flow.reynolds is 10, which makes flow.nu 0.1, but that "
+                        "is 0.001"));
+}
+
+TEST_CASE("a body has the keys of its shape, and no others") {
+  const auto body = [](const std::string& lines) { return refused(plain + "[body]\n" + lines); };
+  CHECK(body("shape = \"ellipse\"\nradius = 1") ==
+        "cases/ring.toml:17: body.shape is \"ellipse\"; that needs the key body.across");
+  CHECK(body("shape = \"naca0012\"\nradius = 1") ==
+        "cases/ring.toml:19: body.shape is \"naca0012\"; that does not have the key body.radius");
+  CHECK(body("shape = \"naca0012\"") ==
+        "cases/ring.toml:17: body.shape is \"naca0012\"; that needs the key body.chord");
+  CHECK(body("radius = 1\nedge = 0.01") ==
+        "cases/ring.toml:19: body.shape is \"circle\"; that does not have the key body.edge");
+  CHECK(body("shape = \"naca0012\"\nchord = 1\nedge = 0.1") ==
+        "cases/ring.toml:20: body.edge is 0.1; it must lie in 1e-4 .. 0.02");
+  const Scene foil = parse(plain + "[body]\nshape = \"naca0012\"\nchord = 3");
+  CHECK(length_of(*foil.body) == 3);
+  CHECK(edge_of(*foil.body) == 0.005);
+  CHECK(parse(resolved(foil)) == foil);
+}
+
+TEST_CASE("a plunge needs a body and a direction; its speed serves where there is no stream") {
+  const std::string body = "[body]\nradius = 0.5\n";
+  const std::string plunge = "[plunge]\namplitude = 0.2\nfrequency = 3\n";
+  CHECK(refused(plain + plunge) ==
+        "cases/ring.toml:17: [plunge] is how a body moves; there is no [body]");
+  CHECK(refused(plain + body + plunge + "direction = [0, 0]") ==
+        "cases/ring.toml:22: plunge.direction is [0, 0]; a direction was expected, as [0, 1]");
+  CHECK(refused(plain + body + "[plunge]\namplitude = 1") ==
+        "cases/ring.toml:19: [plunge] needs the key frequency");
+  CHECK(refused(plain + body + "[plunge]\namplitude = -1\nfrequency = 1") ==
+        "cases/ring.toml:20: plunge.amplitude is -1; it must be > 0");
+  const double fastest = 2 * 3.14159265358979 * 0.2 * 3;
+  const Scene rest = parse(with("nu = 1e-3", "reynolds = 10") + body + plunge);
+  CHECK(speed_of(rest) == Approx(fastest));
+  CHECK(rest.flow.nu == Approx(fastest / 10));
+  CHECK(parse(resolved(rest)) == rest);
+  const Scene stream = parse(with("nu = 1e-3", "reynolds = 10\nstream = [3, 4]") + body + plunge);
+  CHECK(speed_of(stream) == Approx(5));
+  CHECK(fastest_of(stream) == Approx(std::hypot(5, fastest)));
+  CHECK(stream.flow.nu == Approx(0.5));
+}
+
+TEST_CASE("beside a body vorticity diffuses by core spreading only") {
+  CHECK_THAT(refused(plain + "[body]\nradius = 1\n[diffusion]\nkind = \"random_walk\""),
+             EndsWith("beside a body vorticity diffuses by core_spreading only"));
+}
+
+TEST_CASE("a vortex has the keys of its kind, and no others") {
+  const auto kind = [](const std::string& lines) {
+    return refused(with("kind = \"lamb_oseen\"", lines));
+  };
+  CHECK(kind("kind = \"dipole\"") ==
+        "cases/ring.toml:9: initial.kind is \"dipole\"; that needs the key initial.separation");
+  CHECK(kind("kind = \"lamb_oseen\"\nseparation = 1") ==
+        "cases/ring.toml:11: initial.kind is \"lamb_oseen\"; that does not have the key "
+        "initial.separation");
+  CHECK(kind("kind = \"gaussian_ellipse\"\ncore_across = 0.01") ==
+        "cases/ring.toml:11: initial.core_across is 0.01; it must be > cores.sigma_0 = 0.05");
+  CHECK_NOTHROW(
+      parse(with("kind = \"lamb_oseen\"", "kind = \"kirchhoff_ellipse\"\ncore_across = 0.01")));
+  CHECK(refused(plain + "[check]\nexact = \"dipole\"") ==
+        "cases/ring.toml:18: check.exact is \"dipole\"; that needs the table [initial] of kind "
+        "\"dipole\"");
+}

@@ -1,0 +1,171 @@
+#include "scenes.hpp"
+
+using namespace vortree::io;
+using namespace vortree::test;
+using Catch::Matchers::EndsWith;
+using Catch::Matchers::StartsWith;
+
+TEST_CASE("an unknown key is refused with its line and the nearest known one") {
+  CHECK(refused(with("nu = ", "nuu = ")) ==
+        "cases/ring.toml:3: flow.nuu is not a key of [flow]; known: nu, stream, reynolds; did you "
+        "mean nu?");
+  CHECK(refused(plain + "[velocity]\ntolerence = 1e-3\n") ==
+        "cases/ring.toml:18: velocity.tolerence is not a key of [velocity]; known: method, "
+        "tolerance, order, capacity, finest_level, builder, cores; did you mean tolerance?");
+  CHECK_THAT(
+      refused(with("[time]", "[times]")),
+      StartsWith("cases/ring.toml:14: [times] is not a table of a scene; known: flow, body,") &&
+          EndsWith("did you mean time?"));
+  CHECK(refused("speed = 1\n" + plain) ==
+        "cases/ring.toml:1: speed is not a key at the top of a scene; known: title, seed, "
+        "accuracy; did "
+        "you mean seed?");
+  CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nzebra = 1")),
+             EndsWith("known: nu, stream, reynolds"));
+  CHECK_THAT(refused("\"a.b\" = 1\n" + plain), StartsWith("cases/ring.toml:1: a.b is not a key"));
+}
+
+TEST_CASE("a value of the wrong type is refused with what it is and what was expected") {
+  const auto flow = [](const std::string& line) { return refused(with("nu = 1e-3", line)); };
+  const auto extra = [](const std::string& lines) { return refused(plain + lines); };
+  CHECK(flow("nu = \"small\"") == "cases/ring.toml:3: flow.nu is a string; a number was expected");
+  CHECK(flow("nu = true") == "cases/ring.toml:3: flow.nu is a boolean; a number was expected");
+  CHECK(flow("nu = 1979-05-27") ==
+        "cases/ring.toml:3: flow.nu is a date or time; a number was expected");
+  CHECK(flow("nu = 1\nstream = 1") ==
+        "cases/ring.toml:4: flow.stream is an integer; an array of 2 numbers was expected");
+  CHECK(flow("nu = 1\nstream = [1]") ==
+        "cases/ring.toml:4: flow.stream has 1 elements; an array of 2 numbers was expected");
+  CHECK(flow("nu = 1\nstream = [\n 1, 'a']") ==
+        "cases/ring.toml:4: flow.stream[1] is a string; a number was expected");
+  CHECK(extra("[body]\nradius = 1\npanels = 64.0") ==
+        "cases/ring.toml:19: body.panels is a floating-point number; an integer was expected");
+  CHECK(extra("[output]\nfields = 3") ==
+        "cases/ring.toml:18: output.fields is an integer; an array of numbers was expected");
+  CHECK(extra("[check]\nexact = 1") ==
+        "cases/ring.toml:18: check.exact is an integer; a string was expected");
+  CHECK(refused("velocity = 3\n" + plain) ==
+        "cases/ring.toml:1: velocity is an integer; a table was expected");
+  CHECK(extra("[[body]]\nradius = 1") ==
+        "cases/ring.toml:17: body is an array; a table was expected");
+  CHECK(extra("[velocity]\nmethod = \"fast\"") ==
+        "cases/ring.toml:18: velocity.method is \"fast\"; known: fmm, boxes, direct");
+}
+
+TEST_CASE("a value out of its range is refused with the range") {
+  const auto extra = [](const std::string& lines) { return refused(plain + lines); };
+  CHECK(refused(with("1e-3", "-0.001")) ==
+        "cases/ring.toml:3: flow.nu is -0.001; viscosity must be >= 0");
+  CHECK(refused(with("1e-3", "nan")) ==
+        "cases/ring.toml:3: flow.nu is nan; a finite number was expected");
+  CHECK(refused(with("1e-3", "-inf")) ==
+        "cases/ring.toml:3: flow.nu is -inf; a finite number was expected");
+  CHECK(refused(with("dt = 0.01", "dt = 0")) == "cases/ring.toml:15: time.dt is 0; it must be > 0");
+  CHECK(refused(with("end = 2", "end = 0.001")) ==
+        "cases/ring.toml:16: time.end is 0.001; it must be >= time.dt = 0.01");
+  CHECK(refused(with("sigma_max = 0.1", "sigma_max = 0.01")) ==
+        "cases/ring.toml:7: cores.sigma_max is 0.01; it must be >= cores.sigma_0 = 0.05");
+  CHECK(refused(with("core = 0.2", "core = 0.05")) ==
+        "cases/ring.toml:12: initial.core is 0.05; it must be > cores.sigma_0 = 0.05");
+  CHECK(refused("seed = -1\n" + plain) == "cases/ring.toml:1: seed is -1; it must be >= 0");
+  CHECK(extra("[body]\nradius = -2") == "cases/ring.toml:18: body.radius is -2; it must be > 0");
+  CHECK(extra("[body]\nradius = 2\npanels = 7") ==
+        "cases/ring.toml:19: body.panels is 7; a body needs at least 8 panels");
+  CHECK(extra("[body]\nradius = 2\npanels = 3000000000") ==
+        "cases/ring.toml:19: body.panels is 3000000000; it must be <= 2147483647");
+  CHECK(extra("[splitting]\nalpha = 1") ==
+        "cases/ring.toml:18: splitting.alpha is 1; it must lie between 0 and 1");
+  CHECK(extra("[splitting]\nchildren = 2") ==
+        "cases/ring.toml:18: splitting.children is 2; a ring has 3 to 64 children");
+  CHECK(extra("[merging]\ntolerance = -1") ==
+        "cases/ring.toml:18: merging.tolerance is -1; it must be >= 0");
+  CHECK(extra("[velocity]\ntolerance = 1e-15") ==
+        "cases/ring.toml:18: velocity.tolerance is 1e-15; it must lie in 1e-14 .. 0.1");
+  CHECK(extra("[velocity]\nfinest_level = 32") ==
+        "cases/ring.toml:18: velocity.finest_level is 32; it must lie in 0 .. 31");
+  CHECK(extra("[velocity]\norder = -1") ==
+        "cases/ring.toml:18: velocity.order is -1; it must lie in 0 .. 100; 0: from the tolerance");
+  CHECK(extra("[output]\nframes = 0.001") ==
+        "cases/ring.toml:18: output.frames is 0.001; it must be >= time.dt = 0.01");
+  CHECK(extra("[output]\nfields = [1, -1]") ==
+        "cases/ring.toml:18: output.fields[1] is -1; it must be >= 0");
+}
+
+TEST_CASE("keys that need others say which") {
+  const auto extra = [](const std::string& lines) { return refused(plain + lines); };
+  CHECK(extra("[output]\nfields = [1]") ==
+        "cases/ring.toml:18: output.fields needs output.window and output.field_spacing beside it");
+  CHECK(extra("[output]\nwindow = [0, 0, 0, 1]") ==
+        "cases/ring.toml:18: output.window is [0, 0, 0, 1]; [x0, y0, x1, y1] with x0 < x1 and "
+        "y0 < y1 was expected");
+  CHECK_THAT(extra("[output]\nwindow = [0, 0, 1, 1]\nfield_spacing = 1e-6"),
+             StartsWith("cases/ring.toml:19: output.field_spacing is 1e-06; that makes a picture "
+                        "of 1e+12 points"));
+  CHECK(refused(with("nu = 1e-3", "")) == "cases/ring.toml:2: [flow] needs the key nu");
+  CHECK(refused(with("circulation = 1\n", "")) ==
+        "cases/ring.toml:9: [initial] needs the key circulation");
+  CHECK(refused("[flow]\nnu = 1\n[cores]\nsigma_0 = 1\nsigma_max = 1\n") ==
+        "cases/ring.toml: the table [time] is missing");
+  CHECK_THAT(
+      refused(with("sigma_0 = 0.05\n", "")),
+      StartsWith("cases/ring.toml:5: [cores] needs the key sigma_0, or the scene `accuracy`"));
+  CHECK(refused("[flow]\nnu = 1\n[cores]\nsigma_0 = 1\nsigma_max = 1\n[time]\ndt = 1\nend = 2\n") ==
+        "cases/ring.toml: a scene needs [body] or [initial]; without both there is no vorticity");
+}
+
+TEST_CASE("a wrong override is refused as it was typed") {
+  const auto typed = [](const std::string& text) { return refused(plain, {"seed=3", text}); };
+  CHECK(typed("flow.nu=-1") == "command line: flow.nu=-1: flow.nu is -1; viscosity must be >= 0");
+  CHECK(typed("flow.nu=small") ==
+        "command line: flow.nu=small: flow.nu is a string; a number was expected");
+  CHECK_THAT(typed("flow.nu=1e"), StartsWith("command line: flow.nu=1e: not a TOML value: "));
+  CHECK(typed("flow.nu=") == "command line: flow.nu=: there is no value behind the =");
+  CHECK(typed("flow.nu") == "command line: flow.nu: an override is written table.key=value");
+  CHECK(typed("=3") == "command line: =3: an override is written table.key=value");
+  CHECK(
+      typed("flow.nuu=1") ==
+      "command line: flow.nuu=1: flow.nuu is not a key of [flow]; known: nu, stream, reynolds; did "
+      "you mean nu?");
+  CHECK_THAT(typed("flw.nu=1"), StartsWith("command line: flw.nu=1: [flw] is not a table of a "));
+  CHECK_THAT(typed("a.b.c=1"), StartsWith("command line: a.b.c=1: [a] is not a table of a scene"));
+  CHECK(typed("body.panels=20") ==
+        "command line: body.panels=20: body.shape is \"circle\"; that needs the key body.radius");
+  CHECK(typed("flow=3") == "command line: flow=3: flow is an integer; a table was expected");
+  CHECK(typed("title.x=3") == "cases/ring.toml:1: title is a string; a table was expected");
+  CHECK(typed("time.end=0.001") ==
+        "command line: time.end=0.001: time.end is 0.001; it must be >= time.dt = 0.01");
+  CHECK(typed("flow.nu=1\nflow.nu=2") == "command line: flow.nu=1...: an override is one line");
+}
+
+TEST_CASE("what is no scene at all is refused") {
+  const Sandbox box;
+  const auto loaded = [](const std::filesystem::path& path) {
+    return refusal([&] { (void)load_scene(path); });
+  };
+  const auto at = [&](std::string_view name) { return (box / name).string(); };
+  CHECK(loaded(box / "none.toml") == at("none.toml") + ": no such file");
+  CHECK(loaded(box.path()) == box.path().string() + " is a folder; a file was expected");
+  const std::string empty = " is empty; a scene needs [flow], [cores] and [time]";
+  CHECK(loaded(box.write("empty.toml", "")) == at("empty.toml") + empty);
+  CHECK(loaded(box.write("comment.toml", "# nothing\n")) == at("comment.toml") + empty);
+  CHECK_THAT(loaded(box.write("bad.toml", "[flow]\nnu = 1\nthis is not TOML\n")),
+             StartsWith(at("bad.toml") + ":3: not TOML: "));
+  CHECK_THAT(loaded(box.write("twice.toml", plain + "[flow]\nnu = 2\n")),
+             StartsWith(at("twice.toml") + ":17: not TOML: "));
+  CHECK_THAT(loaded(box.write("binary.toml", std::string("\x89HDF\r\n\x1a\n\0\0\0", 11))),
+             StartsWith(at("binary.toml") + ":1: not TOML: "));
+}
+
+TEST_CASE("a reference file is looked for beside the scene, and must be there") {
+  const Sandbox box;
+  std::filesystem::create_directory(box / "reference");
+  const auto path =
+      box.write("scene.toml", plain + "[check]\ndrag_reference = \"reference/drag.csv\"\n");
+  const std::string file = (box / "reference/drag.csv").string();
+  CHECK(refusal([&] { (void)load_scene(path); }) ==
+        path.string() + ":18: check.drag_reference is \"reference/drag.csv\"; there is no file " +
+            file);
+  box.write("reference/drag.csv", "T,C_D\n");
+  const Scene scene = load_scene(path);
+  CHECK(reference_path(scene, *scene.check.drag_reference) == file);
+}
