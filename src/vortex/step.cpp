@@ -96,9 +96,9 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   wake.sheet = std::move(at_rest.sheet);
   wake.bubble_length = bubble_length(line, at_rest.u);
   wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.retired.moment;
-  wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
+  wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
-  wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt);
+  wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
   release(blobs, wake.sheet, *p.wall, core);
   return wake;
 }

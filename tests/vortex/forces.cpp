@@ -14,6 +14,7 @@ using vortex::Wall;
 namespace {
 
 constexpr double pi = std::numbers::pi, radius = 0.5, nu = 2e-3, dt = 0.01;
+const double sigma_0 = std::sqrt(2 * nu * dt);
 
 Wall wall_of(int panels) {
   return Wall(vortex::circle({}, radius), panels);
@@ -92,7 +93,7 @@ TEST_CASE("of cores scattered along the wall the wall vorticity is that of their
   const double b = wall.panel_length();
   for (double sigma : {b, 1.5 * b, 2 * b}) {
     const Blobs blobs = scattered_sheet(wall, sigma);
-    const auto omega = wall_vorticity(blobs, std::vector<double>(500), wall, nu, dt);
+    const auto omega = wall_vorticity(blobs, std::vector<double>(500), wall, nu, dt, sigma_0);
     const double largest = 2 / (std::sqrt(pi) * sigma);
     double worst = 0, worst_of_sum = 0;
     for (std::size_t i = 0; i < wall.panels(); ++i) {
@@ -132,19 +133,22 @@ TEST_CASE("past a cylinder started from rest the wall vorticity is that of short
   }
 }
 
-TEST_CASE("a sheet let in at an even rate makes the wall vorticity of its ages' mean") {
-  // (1/dt) int_0^dt (pi nu tau)^(-1/2) dtau, by the midpoint rule in sqrt(tau).
-  double mean = 0;
-  constexpr int n = 1000;
-  for (int k = 0; k < n; ++k) {
-    const double root = std::sqrt(dt) * (k + 0.5) / n;
-    mean += 2 * root / std::sqrt(pi * nu * root * root) / (std::sqrt(dt) * n);
-  }
+TEST_CASE("an even rate makes the wall vorticity 2 gamma/dt sqrt(t/(pi nu)), whatever sigma_0") {
   const Wall wall = wall_of(200);
+  const double b = wall.panel_length();
   const std::vector<double> sheet(200, 2.0);
-  for (double omega : wall_vorticity({}, sheet, wall, nu, dt))
-    CHECK(omega == Approx(2 * mean).epsilon(1e-6));
-  CHECK(wall_vorticity({}, sheet, wall, 0, dt)[3] == 0);  // nothing enters without viscosity
+  for (double share : {1.0, 1.5, 2.0, 3.0}) {
+    const double sigma_0 = std::sqrt(share * nu * dt);
+    constexpr int steps = 30;
+    Blobs blobs;
+    for (int k = 1; k < steps; ++k)
+      for (std::size_t i = 0; i < wall.panels(); ++i)
+        blobs.append(wall.middle(i), 2 * b, std::sqrt(sigma_0 * sigma_0 + 4 * k * nu * dt));
+    const double exact = 2 * 2 / dt * std::sqrt(steps * dt / (pi * nu));
+    for (double omega : wall_vorticity(blobs, sheet, wall, nu, dt, sigma_0))
+      CHECK(omega == Approx(exact).epsilon(0.005));
+  }
+  CHECK(wall_vorticity({}, sheet, wall, 0, dt, 0.01)[3] == 0);  // nothing enters without viscosity
 }
 
 TEST_CASE("the pressure force of the sheet a sin theta + c cos theta is pi R^2 (-a, c)/dt") {
@@ -164,7 +168,8 @@ TEST_CASE("the friction of a layer is the integral of its wall vorticity, to (si
     for (double cores : {0.0, 0.7, 1.5}) {
       const Blobs blobs = hand_made_layer(cores * sigma, sigma);
       const Vec2 exact = friction_by_quadrature(blobs);
-      const Vec2 force = friction_force(blobs, std::vector<double>(50), wall_of(50), nu, dt);
+      const Vec2 force =
+          friction_force(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0);
       CHECK(off(force, exact) < std::pow(sigma / radius, 2) * std::hypot(exact.x, exact.y));
     }
   }
@@ -173,7 +178,7 @@ TEST_CASE("the friction of a layer is the integral of its wall vorticity, to (si
 TEST_CASE("the friction of single blobs is that of their integrals, wherever they are") {
   const Blobs blobs = test::layer(100, radius, 0.05, 0.01, 0.03);
   const Vec2 exact = friction_by_quadrature(blobs);
-  const Vec2 force = friction_force(blobs, std::vector<double>(50), wall_of(50), nu, dt);
+  const Vec2 force = friction_force(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0);
   CHECK(off(force, exact) < 2e-3 * std::hypot(exact.x, exact.y));
 }
 
@@ -182,7 +187,8 @@ TEST_CASE("the friction of a sheet of sin theta is that of its wall vorticity, a
   std::vector<double> sheet;
   for (std::size_t i = 0; i < wall.panels(); ++i)
     sheet.push_back(-2 * std::sin(test::polar_angle(wall.middle(i))));
-  const Vec2 force = friction_force({}, sheet, wall, nu, dt);
-  CHECK(force.x == Approx(nu * 2 / std::sqrt(pi * nu * dt) * 2 * pi * radius).epsilon(1e-12));
+  const double even = wall_vorticity({}, std::vector<double>(60, 2.0), wall, nu, dt, sigma_0)[0];
+  const Vec2 force = friction_force({}, sheet, wall, nu, dt, sigma_0);
+  CHECK(force.x == Approx(nu * even * pi * radius).epsilon(1e-6));
   CHECK(std::abs(force.y) < 1e-14);
 }
