@@ -28,7 +28,7 @@ Trace trace(const CoreAtWall& core) {
   const double kappa = core.at.curvature, s = core.across, y = core.at.distance / s;
   const double slant = core.along / s, bell = std::exp(-y * y);
   const double flat = 2 * folded::inverse_sqrt_pi / s * bell;
-  const double bent = kappa / 2 * (std::erfc(y) + folded::inverse_sqrt_pi * y * bell);
+  const double bent = kappa / 2 * (std::erfc(y) + 2 * folded::inverse_sqrt_pi * y * bell);
   const double narrowed = 1 / std::sqrt(1 + kappa * core.at.distance * slant * slant);
   return {core.gamma * std::max(flat - bent, flat / 2), core.at.arc, core.along * narrowed};
 }

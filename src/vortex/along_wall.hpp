@@ -29,7 +29,7 @@ struct Trace {
 ///
 /// its amount, the integral along the wall [m/s], that of the heat flow without flux at a bent wall:
 ///
-///   gamma (2/(sqrt(pi) sigma_n) exp(-q^2) - kappa/2 (erfc(q) + q/sqrt(pi) exp(-q^2))),
+///   gamma (2/(sqrt(pi) sigma_n) exp(-q^2) - kappa/2 (erfc(q) + 2 q/sqrt(pi) exp(-q^2))),
 ///
 /// q = y/sigma_n; y and kappa are the distance and the curvature at the nearest wall point. (That
 /// is d m/d(nu t) of the mean distance m in folded_core.hpp; of the sharpest edges, half the first

@@ -59,12 +59,14 @@ Gaussian place(double m, double s, double kappa) {
     const double a = inverse_sqrt_pi;
     return {0, std::min(s, 2 * m / (a + std::sqrt(std::max(a * a - kappa * m / 2, 0.0))))};
   }
-  // Near the wall m - on_wall = (y^2/s + 2 bend y)/sqrt(pi): a start from which Newton does not
+  // Near the wall m - on_wall = y^2/s (1/sqrt(pi) + 2 bend): a start from which Newton does not
   // overshoot.
-  double y = s * (std::sqrt(bend * bend + (m - on_wall) / (s * inverse_sqrt_pi)) - bend);
+  double y = std::sqrt((m - on_wall) * s / (inverse_sqrt_pi + 2 * bend));
   for (int k = 0; k < 12; ++k) {
-    const Profile at = profile(y / s);
-    const double mean = s * (at.mean - bend * (1 - at.erf)), slope = at.erf + bend * at.slope;
+    const double q = y / s;
+    const Profile at = profile(q);
+    const double mean = s * (at.mean - bend * ((1 - 2 * q * q) * (1 - at.erf) + q * at.slope));
+    const double slope = at.erf + 4 * bend * q * (1 - at.erf);
     const double next = std::max(y - (mean - m) / slope, 0.0);
     // The error after a step is less than the square of the step over y.
     const bool settled = std::abs(next - y) <= 1e-8 * next;

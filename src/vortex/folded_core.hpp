@@ -12,12 +12,14 @@ namespace vortree::vortex {
 /// right diffusion and all circulation stays in the fluid. With y the distance of the centre to the
 /// wall,
 ///
-///   mean distance      m   = s/sqrt(pi) exp(-y^2/s^2) + y erf(y/s) - kappa s^2/8 erfc(y/s)
+///   mean distance      m   = s/sqrt(pi) exp(-q^2) + y erf(q) - kappa s^2/8 c(q),   q = y/s,
+///                      c   = (1 - 2 q^2) erfc(q) + 2 q/sqrt(pi) exp(-q^2)
 ///   variance across    v_n = s^2/2 + y^2 - m^2              (the s^2/2 of a free core, far away)
 ///   wall vorticity     omega(x_w) = 2 gamma/(pi s^2) exp(-|x - x_w|^2/s^2)
 ///
-/// where kappa is the curvature of the wall (first order; convex > 0) [1/m]; of an edge sharper
-/// than a core it counts as 4/(sqrt(pi) s), which halves the mean distance of a core on the wall,
+/// where kappa is the curvature of the wall (first order; convex > 0) [1/m]: a walk reflected at a
+/// bent wall that first meets it at T is pushed less by kappa nu E[(t + T)/2; T < t]. An edge sharper
+/// than a core counts as 4/(sqrt(pi) s), which halves the mean distance of a core on the wall,
 /// and no more. A blob acts, and is moved, at its mean; further than `reach` cores from the wall it
 /// is a free blob.
 namespace folded {
@@ -45,8 +47,9 @@ inline double bend(double s, double kappa) {
 
 inline double mean_distance(double y, double s, double kappa) {
   if (!applies(y, s)) return y;
-  const Profile at = profile(y / s);
-  return s * (at.mean - bend(s, kappa) * (1 - at.erf));
+  const double q = y / s;
+  const Profile at = profile(q);
+  return s * (at.mean - bend(s, kappa) * ((1 - 2 * q * q) * (1 - at.erf) + q * at.slope));
 }
 
 inline double variance_across(double y, double s, double m) {

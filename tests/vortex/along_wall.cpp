@@ -72,7 +72,7 @@ TEST_CASE("what a trace adds is its Gaussian smoothed by a Gaussian freed of its
       along.add(trace, values);
       for (std::size_t i = 0; i < 300; ++i) {
         const double d = apart((i + 0.5) * b, arc, perimeter);
-        CHECK(std::abs(values[i] - smoothed({3, 0, width}, 6 * b, d)) < 2e-6 * 3 / (6 * b));
+        CHECK(std::abs(values[i] - smoothed({3, 0, width}, 3 * b, d)) < 2e-6 * 3 / (3 * b));
       }
     }
   }
@@ -85,7 +85,7 @@ TEST_CASE("smoothing leaves of sin(k s) a share (1 + q) exp(-q), q = (k w/2)^2")
   const double b = wall.panel_length();
   for (int mode : {1, 10, 20, 40}) {
     std::vector<double> values(panels);
-    const double k = mode / radius, q = std::pow(k * 6 * b / 2, 2);
+    const double k = mode / radius, q = std::pow(k * 3 * b / 2, 2);
     for (int i = 0; i < panels; ++i) {
       const double s = (i + 0.5) * b;
       along.add({b * std::sin(k * s), s, 0}, values);
