@@ -123,7 +123,7 @@ double Full::near_pairs() const {
     std::vector<tree::Range> runs;
 #pragma omp for schedule(static)
     for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) {
-      near_runs(static_cast<std::uint32_t>(leaf), false, runs);
+      near_cells(static_cast<std::uint32_t>(leaf), false, runs);
       for (const tree::Range run : runs)
         pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
     }

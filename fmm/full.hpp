@@ -63,6 +63,7 @@ class Full final : public Evaluator {
   [[nodiscard]] double near_pairs() const;
   [[nodiscard]] Stage stage() const { return {tree_, lists_, leaves_}; }
   [[nodiscard]] Acceptance acceptance(bool cored) const;
+  void near_cells(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const;
   void near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const;
   template <std::size_t sums>
   void sweep(const Sums<sums>& results) const;

@@ -29,10 +29,10 @@ struct Full::Scratch {
 };
 
 /// The places of all points that the points of a childless cell meet one by one, its own among
-/// them.
+/// them, cell by cell.
 ///
 /// turning   points at the same place count
-void Full::near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const {
+void Full::near_cells(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const {
   runs.clear();
   const auto cells = tree_.cells();
   const std::uint32_t own = tree_.childless()[leaf];
@@ -44,6 +44,11 @@ void Full::near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>&
   for (auto c = static_cast<std::int32_t>(own); c != nobody; c = cells[c].parent) {
     for (const std::uint32_t q : lists_.refused(static_cast<std::uint32_t>(c))) add(q);
   }
+}
+
+/// The same, ascending, with what lies side by side as one.
+void Full::near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const {
+  near_cells(leaf, turning, runs);
   std::ranges::sort(runs, {}, &tree::Range::first);
   std::size_t last = 0;
   for (std::size_t k = 1; k < runs.size(); ++k) {
