@@ -87,13 +87,13 @@ double off(Vec2 a, Vec2 b) {
 
 }  // namespace
 
-TEST_CASE("of cores scattered along the wall the wall vorticity is that of their layer, to 1 %") {
+TEST_CASE("of cores scattered along the wall the wall vorticity is that of their layer, to 2 %") {
   // That of the sheet sin theta, 2 sin theta/(sqrt(pi) sigma); their bare sum is 8 to 26 % off.
-  const Wall wall = wall_of(500);
-  const double b = wall.panel_length();
+  const Wall wall = wall_of(250), finer = wall_of(500);
+  const double b = finer.panel_length();
   for (double sigma : {b, 1.5 * b, 2 * b}) {
-    const Blobs blobs = scattered_sheet(wall, sigma);
-    const auto omega = wall_vorticity(blobs, std::vector<double>(500), wall, nu, dt, sigma_0);
+    const Blobs blobs = scattered_sheet(finer, sigma);
+    const auto omega = wall_vorticity(blobs, std::vector<double>(250), wall, nu, dt, sigma_0);
     const double largest = 2 / (std::sqrt(pi) * sigma);
     double worst = 0, worst_of_sum = 0;
     for (std::size_t i = 0; i < wall.panels(); ++i) {
@@ -103,7 +103,7 @@ TEST_CASE("of cores scattered along the wall the wall vorticity is that of their
       worst_of_sum =
           std::max(worst_of_sum, std::abs(wall_vorticity_of_all(blobs, at) - exact) / largest);
     }
-    CHECK(worst < 0.01);
+    CHECK(worst < 0.02);
     CHECK(worst_of_sum > 0.07);
   }
 }
@@ -111,7 +111,7 @@ TEST_CASE("of cores scattered along the wall the wall vorticity is that of their
 TEST_CASE("past a cylinder started from rest the wall vorticity is that of short times, to 3 %") {
   // Of blobs which have been released, split and merged; Re = 20, T = 0.01 and 0.015. Their sum
   // without smoothing is 15 % off.
-  const Wall wall = wall_of(300);
+  const Wall wall = wall_of(200);
   const auto velocity = vortex::velocity_by_direct_sum(fmm::Cores::mean);
   const vortex::Problem problem{.flow = {{1, 0}, 0.05},
                                 .dt = 5e-4,
@@ -133,7 +133,9 @@ TEST_CASE("past a cylinder started from rest the wall vorticity is that of short
   }
 }
 
-TEST_CASE("an even rate makes the wall vorticity 2 gamma/dt sqrt(t/(pi nu)), whatever sigma_0") {
+TEST_CASE(
+    "an even rate makes the wall vorticity gamma/dt (2 sqrt(t/(pi nu)) - kappa t/2), whatever "
+    "sigma_0") {
   const Wall wall = wall_of(200);
   const double b = wall.panel_length();
   const std::vector<double> sheet(200, 2.0);
@@ -144,9 +146,10 @@ TEST_CASE("an even rate makes the wall vorticity 2 gamma/dt sqrt(t/(pi nu)), wha
     for (int k = 1; k < steps; ++k)
       for (std::size_t i = 0; i < wall.panels(); ++i)
         blobs.append(wall.middle(i), 2 * b, std::sqrt(sigma_0 * sigma_0 + 4 * k * nu * dt));
-    const double exact = 2 * 2 / dt * std::sqrt(steps * dt / (pi * nu));
+    const double t = steps * dt;
+    const double exact = 2 / dt * (2 * std::sqrt(t / (pi * nu)) - t / (2 * radius));
     for (double omega : wall_vorticity(blobs, sheet, wall, nu, dt, sigma_0))
-      CHECK(omega == Approx(exact).epsilon(0.005));
+      CHECK(omega == Approx(exact).epsilon(0.006));
   }
   CHECK(wall_vorticity({}, sheet, wall, 0, dt, 0.01)[3] == 0);  // nothing enters without viscosity
 }
