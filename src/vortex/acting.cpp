@@ -1,5 +1,6 @@
 #include "vortex/acting.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "vortex/folded_core.hpp"
@@ -74,6 +75,8 @@ Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double d
     const Vec2 n = beside.wall.normal;
     Covariance v = after.core.covariance(n);
     v.tt = before.core.covariance(n).tt;
+    const double most = 0.95 * std::sqrt(v.nn * v.tt);
+    v.nt = std::clamp(v.nt, -most, most);
     after.core = core_of(v, n);
   }
   return place_acting(after, shape);

@@ -27,7 +27,8 @@ struct Trace {
 ///
 ///   exp(-(s - arc)^2/width^2),   1/width^2 = 1/sigma_t^2 + kappa y/sigma_n^2,
 ///
-/// its amount, the integral along the wall [m/s], that of the heat flow without flux at a bent wall:
+/// its amount, the integral along the wall [m/s], that of the heat flow without flux at a bent
+/// wall:
 ///
 ///   gamma (2/(sqrt(pi) sigma_n) exp(-q^2) - kappa/2 (erfc(q) + 2 q/sqrt(pi) exp(-q^2))),
 ///

@@ -18,10 +18,10 @@ namespace vortree::vortex {
 ///   wall vorticity     omega(x_w) = 2 gamma/(pi s^2) exp(-|x - x_w|^2/s^2)
 ///
 /// where kappa is the curvature of the wall (first order; convex > 0) [1/m]: a walk reflected at a
-/// bent wall that first meets it at T is pushed less by kappa nu E[(t + T)/2; T < t]. An edge sharper
-/// than a core counts as 4/(sqrt(pi) s), which halves the mean distance of a core on the wall,
-/// and no more. A blob acts, and is moved, at its mean; further than `reach` cores from the wall it
-/// is a free blob.
+/// bent wall that first meets it at T is pushed less by kappa nu E[(t + T)/2; T < t]. An edge
+/// sharper than a core counts as 4/(sqrt(pi) s), which halves the mean distance of a core on the
+/// wall, and no more. A blob acts, and is moved, at its mean; further than `reach` cores from the
+/// wall it is a free blob.
 namespace folded {
 
 constexpr double reach = 4;  // cores; erfc(4) = 1.5e-8

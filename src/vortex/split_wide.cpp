@@ -51,14 +51,22 @@ class Rings {
   std::array<Vec2, 1024> turn_;
 };
 
-/// So much of a strained core's deviator shows in where its children lie; they keep the rest, and
-/// are never thinner, in units of their width, than their parent.
-Deviator laid_out(const Core& parent, double alpha2) {
-  constexpr double most = 0.9;
-  const double b = parent.square * (1 - alpha2) / 2, size = parent.deviator.size();
-  const double shown = std::min(size, std::max(most * b, (1 - alpha2) * size));
-  return size > shown ? (shown / size) * parent.deviator : parent.deviator;
-}
+/// A strained core's deviator, parted: what shows in where its children lie, and what they keep.
+struct Parted {
+  Deviator shown, kept;
+
+  /// Children lie at variance b in either direction, within `most` of it, and are never thinner, in
+  /// units of their width, than their parent; nor flat.
+  Parted(const Core& parent, double alpha2) {
+    constexpr double most = 0.9, flattest = 0.98;
+    const double b = parent.square * (1 - alpha2) / 2, child = parent.square * alpha2 / 2;
+    const double size = parent.deviator.size();
+    const double part = std::min({size, std::max(most * b, (1 - alpha2) * size), flattest * b});
+    if (size == 0) return;
+    shown = (part / size) * parent.deviator;
+    kept = (std::min(size - part, flattest * child) / size) * parent.deviator;
+  }
+};
 
 /// The square root of the covariance b I + D.
 struct Root {
@@ -77,8 +85,8 @@ struct Root {
 /// The children of a free blob.
 void split_freely(std::span<Part> children, const Part& parent, double alpha2, const Rings& rings) {
   const double b = parent.square * (1 - alpha2) / 2;
-  const Deviator shown = laid_out(parent.core(), alpha2);
-  const Root root(b, shown);
+  const Parted deviator(parent.core(), alpha2);
+  const Root root(b, deviator.shown);
   const Vec2 turned = std::numbers::sqrt2 * rings.turn(parent.gamma, std::sqrt(parent.square));
   for (std::size_t c = 0; c < children.size(); ++c) {
     const Vec2 at = parent.centre() + root(rings.child(turned, static_cast<int>(c)));
@@ -87,7 +95,7 @@ void split_freely(std::span<Part> children, const Part& parent, double alpha2, c
     children[c].y = at.y;
     children[c].gamma /= static_cast<double>(children.size());
     children[c].square *= alpha2;
-    children[c].deviator = parent.deviator - shown;
+    children[c].deviator = deviator.kept;
   }
 }
 
@@ -146,8 +154,8 @@ void split_at_wall(std::span<Part> children, std::span<AtWall> at_wall, const Pa
                    double alpha2, const Shape& wall) {
   const WallPoint w = wall.nearest(parent.centre());
   const double child2 = alpha2 * parent.square, child = std::sqrt(child2);
-  const Deviator shown = laid_out(parent.core(), alpha2);
-  const Covariance v = Core{parent.square, shown}.covariance(w.normal);
+  const Parted deviator(parent.core(), alpha2);
+  const Covariance v = Core{parent.square, deviator.shown}.covariance(w.normal);
   const Cross c = cross(w.distance / child, std::sqrt(2 * v.nn) / child);
   const double at = w.distance + child * c.shift, arm = child * c.arm;
   const std::array<double, 4> distance{at, at, at + arm, std::abs(at - arm)};
@@ -168,7 +176,7 @@ void split_at_wall(std::span<Part> children, std::span<AtWall> at_wall, const Pa
   const std::array<double, 4> aside{along, -along, 0, 0};
   const Placed as_one = acting_blob(parent.centre(), parent.core(), &wall);
   const Vec2 foot = parent.centre() - w.distance * w.normal;
-  Covariance own = Core{child2, parent.deviator - shown}.covariance(w.normal);
+  Covariance own = Core{child2, deviator.kept}.covariance(w.normal);
   own.nt = std::clamp(own.nt + v.nt - tilt, -0.9 * std::sqrt(own.nn * own.tt),
                       0.9 * std::sqrt(own.nn * own.tt));
   const Core rest = core_of(own, w.normal);
