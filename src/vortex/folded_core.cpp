@@ -78,16 +78,34 @@ Gaussian place(double m, double s, double kappa) {
 
 namespace {
 
-/// q = y/s of which (1/2 + q^2)/mu(q)^2 is `second`, E[n^2]/E[n]^2 of a core at a flat wall: pi/2
-/// at q = 0, whence it falls as 1 - 2/3 q^4.
-double depth(double second) {
-  constexpr double at_wall = 0.5 / (inverse_sqrt_pi * inverse_sqrt_pi);
-  const double quartic = std::sqrt(std::sqrt(1.5 * (1 - second / at_wall)));
-  double q = quartic < 0.6 ? quartic : std::sqrt(0.5 / (second - 1));
+/// A core of width s, in units of that, at a distance q from a wall that takes `bend` of its mean.
+struct Bent {
+  double mean, slope;
+
+  Bent(double q, double bend) {
+    const Profile at = profile(q);
+    mean = at.mean - bend * ((1 - 2 * q * q) * (1 - at.erf) + q * at.slope);
+    slope = at.erf + 4 * bend * q * (1 - at.erf);
+  }
+};
+
+/// q = y/s of which (1/2 + q^2)/mean(q)^2 is `second`, E[n^2]/E[n]^2, of the core whose mean
+/// distance is m: largest on the wall, at a flat one whence it falls as 1 - 2/3 q^4, at a convex one
+/// with 6 bend/(1/sqrt(pi) - bend) q^2 besides.
+///
+/// on_wall  the core's width if its centre were on the wall
+double depth(double second, double m, double on_wall, double kappa) {
+  double b = bend(on_wall, kappa);
+  const double edge = inverse_sqrt_pi - b, square = std::max(6 * b / edge, 0.0);
+  const double fallen = std::max(1 - 2 * second * edge * edge, 0.0);
+  const double start = 0.75 * (std::sqrt(square * square + 8.0 / 3 * fallen) - square);
+  double q = std::max(std::sqrt(start), 1e-5);
+  if (q > 0.6) q = std::sqrt(0.5 / (second - 1));
   for (int k = 0; k < 20 && q < reach; ++k) {
-    const Profile p = profile(q);
-    const double ratio = (0.5 + q * q) / (p.mean * p.mean);
-    const double slope = 2 * (q - ratio * p.mean * p.erf) / (p.mean * p.mean);
+    b = bend(m / Bent(q, b).mean, kappa);
+    const auto [mean, rise] = Bent(q, b);
+    const double ratio = (0.5 + q * q) / (mean * mean);
+    const double slope = 2 * (q - ratio * mean * rise) / (mean * mean);
     const double next = std::max(q - (ratio - second) / slope, q / 2);
     if (std::abs(next - q) <= 1e-7 * q) return next;
     q = next;
@@ -98,11 +116,12 @@ double depth(double second) {
 }  // namespace
 
 Gaussian place_with_variance(double m, double v_n, double kappa) {
-  constexpr double widest = 0.5 / (inverse_sqrt_pi * inverse_sqrt_pi) - 1;
   m = std::max(m, thinnest * inverse_sqrt_pi * std::sqrt(2 * v_n));
-  if (v_n >= (widest - 1e-9) * m * m) return place(m, 2 * m / inverse_sqrt_pi, kappa);
-  const double q = depth(1 + v_n / (m * m));
-  const double s = q < reach ? m / profile(q).mean : std::sqrt(2 * v_n);
+  const double convex = std::max(kappa, 0.0), square = v_n + m * m;
+  const double on_wall = place(m, 2 * m / inverse_sqrt_pi, convex).s;
+  if (square >= on_wall * on_wall / 2 - 1e-9 * m * m) return place(m, on_wall, kappa);
+  const double q = depth(square / (m * m), m, on_wall, convex);
+  const double s = q < reach ? std::sqrt(square / (0.5 + q * q)) : std::sqrt(2 * v_n);
   return place(m, s, kappa);
 }
 
