@@ -13,9 +13,9 @@ namespace vortree::vortex {
 ///   omega(x) = sum_j gamma_j / (pi sigma_j^2) exp(-|x - x_j|^2 / sigma_j^2)
 ///
 /// x, y centres [m]; gamma circulation [m^2/s], anticlockwise positive; sigma core size [m].
-/// xx, xy what a core's covariance differs from sigma^2/2 I [m^2] (covariance.hpp): the strain that
-/// a blob has been through. Its velocity and vorticity are those of a round core; the children
-/// that it splits into lie as the strain has them.
+/// xx, xy what a core's covariance has beyond sigma^2/2 I [m^2] (covariance.hpp): the strain that a
+/// blob has been through. Its velocity and vorticity are those of a round core; the children that
+/// it splits into are laid out by the strain.
 struct Blobs {
   std::vector<double> x, y, gamma, sigma, xx, xy;
 

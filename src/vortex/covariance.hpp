@@ -46,7 +46,7 @@ struct Core {
   }
 };
 
-/// At least the sigma of its marginal in any direction.
+/// Sigma of its marginal in the direction where it is widest.
 inline double widest(const Core& core) {
   return std::sqrt(core.square + 2 * core.deviator.size());
 }
@@ -57,8 +57,8 @@ inline Core core_of(const Covariance& v, Vec2 n) {
   return {v.nn + v.tt, {half * c - v.nt * s, half * s + v.nt * c}};
 }
 
-/// Core of points carried for a time dt by a flow of constant gradient: V becomes F V F^T,
-/// F = exp(G dt).
+/// Core of points carried for a time dt >= 0 by a flow of constant gradient: V becomes F V F^T,
+/// F = exp(G dt). det V stays.
 inline Core carried(const Core& core, const Gradient& g, double dt) {
   const double q = g.ux * g.ux + g.uy * g.vx, r = std::sqrt(std::abs(q)) * dt;
   const double c = q > 0 ? std::cosh(r) : std::cos(r);

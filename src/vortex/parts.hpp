@@ -25,9 +25,9 @@ struct Part {
 
 inline constexpr std::uint32_t no_wall = ~0u;
 
-/// What a part beside a wall knows besides. Its mean distance and the mean square of it are held
-/// to, by its acting position, centre + offset, and by centre and core; the core is put around them
-/// at the end.
+/// What a part beside a wall knows besides. The mean of its distance from the wall is that of its
+/// acting position, centre + offset; the mean square of it is that of its centre and core. Both are
+/// kept, and the core is put around them at the end.
 ///
 /// normal  of the wall, outward
 /// moved   the core is still to be put there

@@ -29,7 +29,8 @@ struct Splitting {
 ///
 /// Beside a wall there are four children, in a cross along and across it, leaning as the parent's
 /// tilt: their shares and places keep the mean and the mean square of the distance from the wall
-/// (at a flat one), and the impulse exactly. A ring reflected at the wall keeps either only.
+/// (at a flat one), and the impulse exactly. A ring reflected at the wall keeps only one of the
+/// two.
 ///
 /// The ring's angle, one of 1024, is a hash of seed, step, |gamma| and sigma (to six digits),
 /// turned with the sign of gamma: runs repeat bit for bit, and the mirror image of a symmetric flow
