@@ -69,7 +69,7 @@ Gaussian place(double m, double s, double kappa) {
     const double slope = at.erf + 4 * bend * q * (1 - at.erf);
     const double next = std::max(y - (mean - m) / slope, 0.0);
     // The error after a step is less than the square of the step over y.
-    const bool settled = std::abs(next - y) <= 1e-8 * next;
+    const bool settled = next == 0 || std::abs(next - y) <= 1e-8 * next;
     y = next;
     if (settled) break;
   }
