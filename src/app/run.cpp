@@ -89,8 +89,9 @@ void Run::resume() {
   step_ = saved_step_ = frame.step;
   flow_.problem.time = time(step_);
   blobs_ = {frame.x, frame.y, frame.gamma, frame.sigma};
-  blobs_.xx = frame.state.at("covariance_xx");
-  blobs_.xy = frame.state.at("covariance_xy");
+  for (const auto& [name, column] :
+       {std::pair{"covariance_xx", &blobs_.xx}, std::pair{"covariance_xy", &blobs_.xy}})
+    if (const auto kept = frame.state.find(name); kept != frame.state.end()) *column = kept->second;
   history_.restore(frame.state.at("history"));
   const std::vector<double>& t = frame.state.at("totals");
   totals_ = {t.at(0), t.at(1), t.at(2), t.at(3)};
