@@ -15,7 +15,7 @@ constexpr double most_vorticity = 100;  // of both signs, in U D
 
 std::string broken(const vortex::Blobs& blobs, std::size_t before, const FlowCase& flow,
                    double time) {
-  const bool multiplied = blobs.size() > many_blobs && blobs.size() > 2 * before;
+  const bool multiplied = blobs.size() > many_blobs && blobs.size() > 3 * before;
   if (blobs.size() > most_blobs || multiplied)
     return fmt::format(
         "{} blobs after {}: they multiply faster than they merge, since a step "

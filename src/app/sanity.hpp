@@ -9,7 +9,7 @@ namespace vortree::app {
 /// Why a run cannot go on from these blobs, in words, or nothing:
 ///
 /// - a number that is not finite
-/// - more than 2e7 blobs (20 GB, minutes a step), or from 2e4 on more than twice as many as
+/// - more than 2e7 blobs (20 GB, minutes a step), or from 2e4 on more than three times as many as
 ///   before the step: they multiply faster than they merge
 /// - beside a body, sum |gamma| beyond 100 U D (and more for each ten diameters of way). An
 ///   impulsive start has 4 U D, and a wake gains less than 1 U D a diameter
