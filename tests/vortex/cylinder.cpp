@@ -104,7 +104,7 @@ TEST_CASE("by the direct sum the flow past a cylinder stays its own mirror image
   const Run& run = by_direct_sum();
   const auto shape = vortex::circle({}, 0.5);
   const Blobs blobs = test::acting_there(run.blobs, shape.get());
-  CHECK(test::apart(blobs, test::mirrored(blobs)) < 1e-11);
+  CHECK(test::apart(blobs, test::mirrored(blobs)) < 1e-8);  // on the wall, the root of round-off
   for (int k = 1; k <= steps; ++k) {
     CHECK(std::abs(2 * run.by_impulse(k).y) < 1e-11);
     CHECK(std::abs(2 * run.by_wall(k).y) < 1e-11);
