@@ -129,6 +129,8 @@ constexpr double usual_share = 0.65;
 /// wider  parent's width across the wall, in widths of its children
 Cross cross(double q, double wider) {
   const double b = (wider * wider - 1) / 2, mean = wider * Mean(q / wider).value;
+  // Far narrower children than 0.55 of the parent may have no such cross; theirs stays one.
+  const double most_outward = std::sqrt(q * q + 0.9 * b) - q, most_inward = 0.5 * std::sqrt(b);
   Cross c{usual_share, 0, 0};
   for (int k = 0; k < 12; ++k) {
     const double rest = 1 - c.share, at = q + c.shift;
@@ -142,8 +144,8 @@ Cross cross(double q, double wider) {
         c.share * mid.slope + rest * (out.slope + in.slope) / 2 - by_arm * at / (rest * c.arm);
     const double by_share = mid.value - pair + by_arm * c.arm / (2 * rest);
     const double step = missed / (by_shift * by_shift + by_share * by_share);
-    c.shift -= step * by_shift;
-    c.share -= step * by_share;
+    c.shift = std::clamp(c.shift - step * by_shift, -most_inward, most_outward);
+    c.share = std::clamp(c.share - step * by_share, 0.3, 0.9);
   }
   return c;
 }
