@@ -28,10 +28,14 @@ double Rows::largest(std::optional<double> from, const Value& value) const {
 }
 
 double Rows::rms(std::optional<double> from, const Value& value) const {
-  double sum = 0;
-  const auto which = rows(from);
-  for (std::size_t r : which) sum += value(r) * value(r);
-  return which.empty() ? unseen : std::sqrt(sum / static_cast<double>(which.size()));
+  double sum = 0, count = 0;
+  for (std::size_t r : rows(from)) {
+    const double one = value(r);
+    if (std::isnan(one)) continue;  // beyond what a table has
+    sum += one * one;
+    ++count;
+  }
+  return count == 0 ? unseen : std::sqrt(sum / count);
 }
 
 std::vector<std::size_t> Rows::rows(std::optional<double> from) const {
