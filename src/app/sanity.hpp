@@ -10,7 +10,8 @@ namespace vortree::app {
 ///
 /// - a number that is not finite
 /// - more than 2e7 blobs (20 GB, minutes a step), or from 2e4 on more than three times as many as
-///   before the step: they multiply faster than they merge
+///   before the step (in the first ten from 1e5 on, 200 times): they multiply faster than they
+///   merge
 /// - beside a body, sum |gamma| beyond 100 U D (and more for each ten diameters of way). An
 ///   impulsive start has 4 U D, and a wake gains less than 1 U D a diameter
 std::string broken(const vortex::Blobs& blobs, std::size_t before, const FlowCase& flow,

@@ -52,7 +52,9 @@ Choice past_body(const Scene& scene, double e) {
              ? scene.time.dt
              : std::min(std::min(2 * e, 0.02 * std::sqrt(550 / reynolds)) * length / speed,
                         period / 100);
-  c.sigma_max = std::max(4 * std::sqrt(e * nu * length / speed), std::sqrt(4 * nu * c.dt));
+  c.sigma_max = std::min(4 * std::sqrt(e * nu * length / speed),
+                         std::sqrt(8 * nu * c.dt) * std::pow(std::max(e / 0.01, 1.0), 0.25));
+  c.sigma_max = std::max(c.sigma_max, std::sqrt(4 * nu * c.dt));
   c.sigma_0 = std::min(std::sqrt(2 * nu * c.dt), c.sigma_max);
   c.merging = 0.4 * std::sqrt(e) * speed;
   c.reach = 3;

@@ -12,7 +12,9 @@ namespace vortree::io {
 /// V), accuracy e the drag's relative error (measured at
 /// Re = 550, where it is set by the cores):
 ///
-///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer,
+///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer, at most
+///                                           sqrt(8 nu dt) (e/0.01)^(1/4), the root from 0.01 on,
+///                                           so that strain has but two steps between splits, and
 ///                                           not below the sqrt(4 nu dt) that a step adds
 ///   dt        = min(2 e, 0.02 sqrt(550/Re)) D/U     the wall's vorticity turns less than 1 rad
 ///                                           and a plunge has 100 steps a period

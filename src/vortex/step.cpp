@@ -187,7 +187,7 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const Phase&
   if (parts == 1) return step_in_one(blobs, whole, number, phase);
   Problem p = in_parts_of(whole, parts);
   // Blobs that multiply faster than they merge would not leave this step for minutes.
-  const std::size_t too_many = std::max<std::size_t>(50'000, 10 * blobs.size());
+  const std::size_t too_many = std::max<std::size_t>(100'000, 200 * blobs.size());
   Wake wake;
   Vec2 pressure;
   for (int k = 0; k < parts && blobs.size() < too_many; ++k) {
