@@ -108,8 +108,6 @@ vortex::Vec2 friction(const Record& r) {
   return {r.friction_x, r.friction_y};
 }
 
-}  // namespace
-
 /// Rate of change, at the second of three times, of what is f at each, by the parabola through them
 /// in sqrt(t): what an impulsive start sets off at t = 0 goes as powers of that.
 class RateOfChange {
@@ -126,6 +124,8 @@ class RateOfChange {
  private:
   double before_, after_;
 };
+
+}  // namespace
 
 void History::add(const Record& record, const Write& write) {
   recent_.push_back(record);

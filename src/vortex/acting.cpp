@@ -21,6 +21,12 @@ struct Beside {
     reached = folded::applies(wall.distance, sigma());
   }
   double sigma() const { return std::sqrt(2 * core.nn); }
+
+  /// The blob at the distance and of the width across the wall that `own` has.
+  Placed put(Vec2 at, const folded::Gaussian& own) const {
+    return {at + (own.y - wall.distance) * wall.normal,
+            core_of({own.s * own.s / 2, core.nt, core.tt}, wall.normal)};
+  }
 };
 
 }  // namespace
@@ -53,18 +59,15 @@ Placed place(Vec2 mean, const Core& core, const Shape* shape) {
   const Beside blob(mean, core, shape);
   if (!blob.reached) return {mean, core};
   const WallPoint& w = blob.wall;
-  const folded::Gaussian seen = folded::place(w.distance, blob.sigma(), w.curvature);
-  return {mean + (seen.y - w.distance) * w.normal,
-          core_of({seen.s * seen.s / 2, blob.core.nt, blob.core.tt}, w.normal)};
+  return blob.put(mean, folded::place(w.distance, blob.sigma(), w.curvature));
 }
 
 Placed place_acting(const Placed& acting, const Shape* shape) {
   const Beside blob(acting.centre, acting.core, shape);
   if (!blob.reached) return acting;
   const WallPoint& w = blob.wall;
-  const folded::Gaussian seen = folded::place_with_variance(w.distance, blob.core.nn, w.curvature);
-  return {acting.centre + (seen.y - w.distance) * w.normal,
-          core_of({seen.s * seen.s / 2, blob.core.nt, blob.core.tt}, w.normal)};
+  return blob.put(acting.centre,
+                  folded::place_with_variance(w.distance, blob.core.nn, w.curvature));
 }
 
 Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double dt,

@@ -11,7 +11,7 @@ namespace {
 constexpr double panels_smoothed = 3, of_radius = 0.25, steepest = 0.25;
 constexpr double reach = 4;  // widths: exp(-16) = 1.1e-7
 
-/// A quarter of the radius of curvature at each panel, six panels at most and one at least.
+/// A quarter of the radius of curvature at each panel, `panels_smoothed` at most and one at least.
 std::vector<double> allowed_by_bends(const Wall& wall) {
   const double b = wall.panel_length();
   std::vector<double> w(wall.panels());

@@ -3,32 +3,33 @@
 namespace vortree::vortex {
 namespace {
 
-/// Blobs of `start`, carried from their acting positions by dt u; their cores as they are.
-Blobs carried(const Blobs& start, const Acting& from, const Velocities& u, const Shape* wall,
-              double dt) {
+/// Blobs of `start`, each put where move(i) says.
+Blobs moved_each(const Blobs& start, auto move) {
   Blobs blobs = start;
   const std::ptrdiff_t n = std::ssize(blobs.x);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Vec2 to{from.x[i] + dt * u.u[i], from.y[i] + dt * u.v[i]};
-    const Placed blob = place(to, start.core(i), wall);
+    const Placed blob = move(i);
     blobs.put(i, blob.centre, blobs.gamma[i], blob.core);
   }
   return blobs;
 }
 
+/// Carried from their acting positions by dt u; their cores as they are.
+Blobs carried(const Blobs& start, const Acting& from, const Velocities& u, const Shape* wall,
+              double dt) {
+  return moved_each(start, [&](std::ptrdiff_t i) {
+    return place({from.x[i] + dt * u.u[i], from.y[i] + dt * u.v[i]}, start.core(i), wall);
+  });
+}
+
 /// The same, with cores that are strained on the way.
 Blobs strained(const Blobs& start, const Velocities& u, const Gradients& g, const Shape* wall,
                double dt) {
-  Blobs blobs = start;
-  const std::ptrdiff_t n = std::ssize(blobs.x);
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Placed blob = strained({start.centre(i), start.core(i)}, dt * Vec2{u.u[i], u.v[i]},
-                                 {g.ux[i], g.uy[i], g.vx[i]}, dt, wall);
-    blobs.put(i, blob.centre, blobs.gamma[i], blob.core);
-  }
-  return blobs;
+  return moved_each(start, [&](std::ptrdiff_t i) {
+    return strained({start.centre(i), start.core(i)}, dt * Vec2{u.u[i], u.v[i]},
+                    {g.ux[i], g.uy[i], g.vx[i]}, dt, wall);
+  });
 }
 
 void add(Velocities& sum, double weight, const Velocities& u) {

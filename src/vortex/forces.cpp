@@ -64,9 +64,9 @@ Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt) 
 Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
                     double dt, double sigma_0) {
   Vec2 force;
+  const double fresh = of_fresh_sheet(nu, dt, sigma_0);
   for (std::size_t i = 0; i < sheet.size(); ++i)
-    force +=
-        (nu * of_fresh_sheet(nu, dt, sigma_0) * sheet[i] * wall.panel_length()) * wall.tangent(i);
+    force += (nu * fresh * sheet[i] * wall.panel_length()) * wall.tangent(i);
   force += sum_in_parts(blobs.size(), [&](std::size_t first, std::size_t last) {
     Vec2 some;
     for_each_at_wall(blobs, wall, first, last, [&](const CoreAtWall& core) {

@@ -166,7 +166,7 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Pha
     phase("wall");
     wake = cancel_slip(blobs, p, p.time + p.dt, p.sigma_0);
   }
-  if (p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading) {
+  if (spreads) {
     phase("split");
     Parts parts = split_apart(blobs, p.splitting, shape, number);
     phase("merge");
@@ -190,7 +190,7 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const Phase&
   const std::size_t too_many = std::max<std::size_t>(100'000, 200 * blobs.size());
   Wake wake;
   Vec2 pressure;
-  for (int k = 0; k < parts && blobs.size() < too_many; ++k) {
+  for (int k = 0; k < parts && blobs.size() <= too_many; ++k) {
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
     pressure += (1.0 / parts) * wake.pressure;
     p.retired = wake.retired;

@@ -91,8 +91,8 @@ Wake start(Blobs& blobs, const Problem& problem);
 /// One step of length dt: half the diffusion, convection, the other half, release of wall
 /// vorticity, splitting, merging. Beside a wall the first steps, from number 1, are done in 8, 4, 2
 /// and 2 parts of dt, with cores and mergers as much finer: an impulsive start changes the flow as
-/// fast as it is young. throws  std::invalid_argument for other diffusion than core spreading
-/// beside a wall
+/// fast as it is young.
+/// throws  std::invalid_argument for other diffusion than core spreading beside a wall
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const Phase& phase);
 
 /// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at
