@@ -47,10 +47,10 @@ vortex::Diffusion diffusion_of(io::DiffusionKind kind) {
 std::unique_ptr<vortex::Shape> shape_of(const io::SceneBody& body) {
   const double incidence = body.incidence * std::numbers::pi / 180;
   if (body.shape == io::Shape::ellipse)
-    return vortex::ellipse(vec(body.centre), *body.radius, *body.across, incidence);
+    return vortex::ellipse({}, *body.radius, *body.across, incidence);
   if (body.shape == io::Shape::naca0012)
-    return vortex::naca0012(vec(body.centre), *body.chord, io::edge_of(body), incidence);
-  return vortex::circle(vec(body.centre), *body.radius);
+    return vortex::naca0012({}, *body.chord, io::edge_of(body), incidence);
+  return vortex::circle({}, *body.radius);
 }
 
 vortex::Vec2 unit(const io::Vec2& a) {
@@ -67,12 +67,18 @@ std::optional<vortex::Box> box_of(const io::SceneMerging& merging) {
   return vortex::Box{{x0, y0}, {x1, y1}};
 }
 
+Origin origin_of(const io::Scene& scene) {
+  if (scene.body) return {vec(scene.body->centre)};
+  return {scene.initial ? vec(scene.initial->centre) : vortex::Vec2{}, vec(scene.flow.stream)};
+}
+
 /// One vortex on the left, and one of circulation `right` on the right.
 vortex::Blobs two_vortices(vortex::Lattice lattice, const io::SceneInitial& i, double right) {
   const vortex::Vec2 half{0.5 * *i.separation, 0};
-  lattice.centre = vec(i.centre) - half;
+  const vortex::Vec2 centre = lattice.centre;
+  lattice.centre = centre - half;
   vortex::Blobs both = vortex::gaussian_ellipse(lattice, i.circulation, i.core, i.core);
-  lattice.centre = vec(i.centre) + half;
+  lattice.centre = centre + half;
   const vortex::Blobs other = vortex::gaussian_ellipse(lattice, right, i.core, i.core);
   for (std::size_t k = 0; k < other.size(); ++k)
     both.append(other.centre(k), other.gamma[k], other.sigma[k]);
@@ -93,8 +99,10 @@ FlowCase flow_case(const io::Scene& scene) {
   else if (scene.plunge)
     made.along = unit(scene.plunge->direction);
   made.velocity = velocity_of(scene.velocity);
+  made.origin = origin_of(scene);
+  made.box = box_of(scene.merging);
   made.problem = {
-      .flow = {vec(scene.flow.stream), scene.flow.nu,
+      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu,
                scene.plunge ? plunge_of(*scene.plunge) : vortex::Plunge{}},
       .dt = scene.time.dt,
       .scheme =
@@ -111,19 +119,29 @@ FlowCase flow_case(const io::Scene& scene) {
       .merging = {.tolerance = scene.merging.tolerance,
                   .reach = scene.merging.reach,
                   .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
-      .box = box_of(scene.merging),
       .faintest = made.wall ? faintest * made.speed * made.diameter : 0,
       .wall = made.wall.get(),
       .velocity = made.velocity.get(),
   };
+  made.step_to(0);
   return made;
+}
+
+void FlowCase::step_to(double time) {
+  if (box) problem.box = vortex::Box{box->low - origin.at(time), box->high - origin.at(time)};
+}
+
+std::vector<double> moved(std::vector<double> column, double by) {
+  if (by != 0)
+    for (double& value : column) value += by;
+  return column;
 }
 
 vortex::Blobs initial_blobs(const io::Scene& scene) {
   if (!scene.initial) return {};
   const io::SceneInitial& i = *scene.initial;
-  const vortex::Lattice lattice{vec(i.centre), scene.cores.sigma_0, i.spacing * scene.cores.sigma_0,
-                                i.faintest};
+  const vortex::Lattice lattice{vec(i.centre) - origin_of(scene).start, scene.cores.sigma_0,
+                                i.spacing * scene.cores.sigma_0, i.faintest};
   switch (i.kind) {
     case io::InitialKind::gaussian_ellipse:
       return vortex::gaussian_ellipse(lattice, i.circulation, i.core, *i.core_across);

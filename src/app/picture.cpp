@@ -26,13 +26,16 @@ io::Field picture(double time, const io::SceneOutput& output, const vortex::Blob
       y.push_back(b);
     }
   const vortex::Shape* shape = flow.wall ? &flow.wall->shape() : nullptr;
+  const vortex::Vec2 origin = flow.origin.at(time);
+  x = moved(std::move(x), -origin.x);
+  y = moved(std::move(y), -origin.y);
   vortex::Velocities u = vortex::velocity_at({x, y}, blobs, flow.problem);
   field.omega.resize(x.size());
   vortex::vorticity(blobs, shape, {x, y}, field.omega);
   for (std::size_t k = 0; shape && k < x.size(); ++k)
     if (shape->nearest({x[k], y[k]}).distance < 0) u.u[k] = u.v[k] = 0;
-  field.u = std::move(u.u);
-  field.v = std::move(u.v);
+  field.u = moved(std::move(u.u), flow.origin.drift.x);
+  field.v = moved(std::move(u.v), flow.origin.drift.y);
   return field;
 }
 

@@ -56,7 +56,11 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
   record.T = p.wall ? 2 * flow.speed * record.t / flow.diameter : record.t;
   record.blobs = static_cast<double>(blobs.size());
   record.circulation = now.circulation + wake.retired.gamma;
-  const vortex::Vec2 moment = p.wall ? wake.moment : now.moment + wake.retired.moment;
+  vortex::Vec2 moment = p.wall ? wake.moment : now.moment + wake.retired.moment;
+  const vortex::Vec2 origin = flow.origin.at(record.t);
+  // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
+  const bool elsewhere = !p.wall && dot(origin, origin) > 0;
+  if (elsewhere) moment = moment + record.circulation * origin;
   record.impulse_x = moment.y;
   record.impulse_y = -moment.x;
   record.second_moment = now.second;
@@ -66,8 +70,9 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
     record.quadrupole_xy = form.quadrupole.y;
     record.separation = form.separation;
     record.circulation_plus = form.positive;
-    record.plus_x = form.positive_centre.x;
-    record.plus_y = form.positive_centre.y;
+    const vortex::Vec2 plus = form.positive_centre;
+    record.plus_x = elsewhere ? plus.x + origin.x : plus.x;
+    record.plus_y = elsewhere ? plus.y + origin.y : plus.y;
     return record;
   }
   record.pressure_x = wake.pressure.x;

@@ -16,7 +16,8 @@ namespace vortree::app {
 /// blobs          how many
 /// circulation    of blobs, those that have left, and body; stays 0 for an impulsive start
 /// impulse_x, _y  of blobs and sheet, per unit density
-/// second_moment  sum gamma (|X|^2 + sigma^2)
+/// second_moment  sum gamma (|X - O|^2 + sigma^2), O the body's centre, or that of the initial
+///                vorticity as the stream carries it
 /// cd_*, cl_*     drag and lift by the rate of change of impulse, and by the wall sheet (pressure)
 ///                with the wall vorticity (friction); 0 without a body
 /// bubble_length  in diameters; separation_deg from the rear; 0 where a body plunges

@@ -89,6 +89,10 @@ void Run::resume() {
   step_ = saved_step_ = frame.step;
   flow_.problem.time = time(step_);
   blobs_ = {frame.x, frame.y, frame.gamma, frame.sigma};
+  if (const auto x = frame.state.find("x_in_flow"); x != frame.state.end()) {
+    blobs_.x = x->second;
+    blobs_.y = frame.state.at("y_in_flow");
+  }
   for (const auto& [name, column] :
        {std::pair{"covariance_xx", &blobs_.xx}, std::pair{"covariance_xy", &blobs_.xy}})
     if (const auto kept = frame.state.find(name); kept != frame.state.end()) *column = kept->second;
@@ -144,6 +148,7 @@ void Run::advance() {
   ++step_;
   vortex::Blobs before = blobs_;
   vortex::Wake wake;
+  flow_.step_to(time(step_));
   try {
     wake = vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
                         [this](std::string_view phase) { watch_.begin(phase); });
@@ -165,15 +170,20 @@ void Run::advance() {
 void Run::save() {
   if (saved_step_ == step_) return;
   const vortex::Velocities u = vortex::velocity_at({blobs_.x, blobs_.y}, blobs_, flow_.problem);
+  const vortex::Vec2 origin = flow_.origin.at(time(step_)), drift = flow_.origin.drift;
   io::Frame frame{.step = step_,
                   .time = time(step_),
-                  .x = blobs_.x,
-                  .y = blobs_.y,
+                  .x = moved(blobs_.x, origin.x),
+                  .y = moved(blobs_.y, origin.y),
                   .gamma = blobs_.gamma,
                   .sigma = blobs_.sigma,
-                  .u = u.u,
-                  .v = u.v,
+                  .u = moved(u.u, drift.x),
+                  .v = moved(u.v, drift.y),
                   .state = {}};
+  if (dot(origin, origin) > 0) {
+    frame.state["x_in_flow"] = blobs_.x;
+    frame.state["y_in_flow"] = blobs_.y;
+  }
   frame.state["covariance_xx"] = blobs_.xx;
   frame.state["covariance_xy"] = blobs_.xy;
   frame.state["history"] = history_.saved();

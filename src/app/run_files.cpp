@@ -102,8 +102,7 @@ void RunFiles::wall(double time, std::span<const double> sheet, std::span<const 
   const double T = 2 * flow_.speed * time / flow_.diameter;
   const vortex::Vec2 s = flow_.along;
   for (std::size_t i = 0; i < flow_.wall->panels(); ++i) {
-    const vortex::Vec2 c{scene_.body->centre[0], scene_.body->centre[1]};
-    const vortex::Vec2 d = flow_.wall->middle(i) - c;
+    const vortex::Vec2 d = flow_.wall->middle(i);
     const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
     wall_->row(std::array{time, T, angle, vorticity[i], sheet[i]});
   }
