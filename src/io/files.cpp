@@ -16,6 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t longest_text = std::size_t{1} << 30;
+
 /// Beside the file, so that a rename can put it in its place; no other process has that name.
 fs::path fresh_name(const fs::path& path) {
   return path.string() + fmt::format(".{}.part", ::getpid());
@@ -41,11 +43,29 @@ void require_file(const fs::path& path) {
   }
 }
 
+void require_regular_file(const fs::path& path) {
+  require_file(path);
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    throw InputError(fmt::format("{} is a device or a pipe; a file was expected", path.string()));
+  }
+}
+
 std::string read_text(const fs::path& path) {
   require_file(path);
   std::ifstream in(path, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(in), {});
-  if (!in && !in.eof()) throw InputError(fmt::format("{} cannot be read", path.string()));
+  std::string text;
+  // A device may give bytes without end.
+  for (std::string piece(1 << 16, '\0'); in && text.size() <= longest_text;) {
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    text.append(piece, 0, static_cast<std::size_t>(in.gcount()));
+  }
+  if (text.size() > longest_text) {
+    throw InputError(
+        fmt::format("{} has more than {} bytes; so long a text is not read", path.string(),
+                    longest_text));
+  }
+  if (!in.eof()) throw InputError(fmt::format("{} cannot be read", path.string()));
   return text;
 }
 

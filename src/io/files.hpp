@@ -7,7 +7,8 @@
 
 namespace vortree::io {
 
-/// The whole file. throws InputError: no such file, a folder, cannot be read.
+/// The whole file, or what comes out of a pipe, up to 1 GiB. throws InputError: no such file, a
+/// folder, too long, cannot be read.
 [[nodiscard]] std::string read_text(const std::filesystem::path&);
 
 /// Puts the text in place of an older file, in one rename: a reader sees the old or the new one.
@@ -19,8 +20,11 @@ void write_text(const std::filesystem::path&, std::string_view text);
 void replace_file(const std::filesystem::path& path,
                   const std::function<void(const std::filesystem::path&)>& write);
 
-/// throws  InputError unless there is a regular file of that name
+/// throws  InputError unless there is something of that name, no folder, that can be read
 void require_file(const std::filesystem::path&);
+
+/// throws  InputError, too, if it is a device or a pipe, which may have no end
+void require_regular_file(const std::filesystem::path&);
 
 /// throws  InputError unless a file of that name can be written: no such folder, no right, ...
 void require_writable(const std::filesystem::path&);

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "io/checksum.hpp"
+#include "io/hdf5_inside.hpp"
 
 namespace vortree::io {
 namespace {
@@ -37,13 +38,6 @@ h5::Handle open_frame(hid_t file, const FramePlace& place) {
                  frame_name(place.step) + " cannot be opened");
 }
 
-/// No column can be longer than the file: a damaged length must not ask for all the memory.
-std::size_t most_numbers(hid_t file) {
-  hsize_t bytes = 0;
-  h5::check(H5Fget_filesize(file, &bytes), "the size of the file");
-  return bytes / sizeof(double);
-}
-
 }  // namespace
 
 std::string frame_name(std::int64_t step) {
@@ -73,15 +67,14 @@ void write_frame(hid_t file, const Frame& frame) {
 
 Frame read_frame(hid_t file, const FramePlace& place) {
   const h5::Handle group = open_frame(file, place);
-  const std::size_t most = most_numbers(file);
   Frame frame;
   frame.step = h5::read_integer(group, "step");
   frame.time = h5::read_double(group, "time");
   for (const auto& [column, values] : frame_columns) {
-    frame.*values = h5::read(group, column, most);
+    frame.*values = h5::read(group, column);
   }
   const h5::Handle state = h5::own(H5Gopen2(group, "state", H5P_DEFAULT), "state");
-  for (const auto& [index, key] : h5::links(state)) frame.state[key] = h5::read(state, key, most);
+  for (const auto& [index, key] : h5::links(state)) frame.state[key] = h5::read(state, key);
   if (frame.step != place.step || h5::read_unsigned(group, "checksum") != checksum(frame)) {
     throw h5::Failure(frame_name(place.step) + " does not agree with its checksum");
   }
@@ -90,7 +83,7 @@ Frame read_frame(hid_t file, const FramePlace& place) {
 
 FrameLabel read_label(hid_t file, const FramePlace& place) {
   const h5::Handle group = open_frame(file, place);
-  const h5::Handle x = h5::own(H5Dopen2(group, "x", H5P_DEFAULT), "x");
+  const h5::Handle x = h5::open_dataset(group, "x");
   const h5::Handle space = h5::own(H5Dget_space(x), "x");
   return {.step = place.step,
           .time = h5::read_double(group, "time"),

@@ -4,14 +4,21 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <new>
+
+#include "io/hdf5_inside.hpp"
 
 namespace vortree::io::h5 {
 namespace {
 
+constexpr hsize_t bytes_of_a_link = 8;  // at the least: the address of what it leads to
+
 // HDF5 keeps the switch for each thread, so it is thrown with every file, not once.
 void silence() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  forbid_other_files();
 }
 
 /// Someone who looks at the frames of a running program must not stop it by the lock of a reader.
@@ -124,11 +131,12 @@ bool has_attribute(hid_t object, const std::string& name) {
   return H5Aexists(object, name.c_str()) > 0;
 }
 
-std::vector<Link> links(hid_t group) {
+std::vector<Link> links(hid_t group, hsize_t most) {
   H5G_info_t info{};
-  check(H5Gget_info(group, &info), "the list of names cannot be read");
+  check(H5Gget_info(group, &info), "the list of names is damaged");
   std::vector<Link> found;
-  for (hsize_t i = 0; i < info.nlinks; ++i) {
+  const hsize_t believed = std::min({info.nlinks, most, file_bytes(group) / bytes_of_a_link});
+  for (hsize_t i = 0; i < believed; ++i) {
     const auto name_of = [&](char* text, std::size_t room) {
       return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, room, H5P_DEFAULT);
     };
@@ -139,6 +147,7 @@ std::vector<Link> links(hid_t group) {
     name.pop_back();
     found.push_back({i, std::move(name)});
   }
+  if (found.empty() && believed > 0) throw Failure("the list of names is damaged");
   return found;
 }
 
@@ -160,16 +169,23 @@ void write_grid(hid_t place, const std::string& name, std::span<const double> va
   write_values(place, name, H5T_NATIVE_DOUBLE, values.data(), shape);
 }
 
-std::vector<double> read(hid_t place, const std::string& name, std::size_t most) {
-  const Handle set = own(H5Dopen2(place, name.c_str(), H5P_DEFAULT), name);
-  const Handle space = own(H5Dget_space(set), name);
-  const hssize_t count = H5Sget_simple_extent_npoints(space);
-  if (count < 0 || static_cast<std::size_t>(count) > most) {
-    throw Failure(fmt::format("{} claims to hold {} numbers", name, count));
+std::vector<double> read(hid_t place, const std::string& name) {
+  return read_dataset(open_dataset(place, name), name);
+}
+
+std::vector<double> read_dataset(hid_t set, const std::string& name) {
+  const std::size_t count = believed_count(set, name);
+  require_room(count, name);
+  std::vector<double> values;
+  try {
+    values.resize(count);
+  } catch (const std::bad_alloc&) {
+    throw Failure(fmt::format("{} has {} numbers, for which there is no memory", name, count));
   }
-  std::vector<double> values(static_cast<std::size_t>(count));
   if (values.empty()) return values;
-  check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
+  if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+    throw Failure(why_unreadable(set, name));
+  }
   return values;
 }
 
@@ -211,7 +227,9 @@ std::string read_string(hid_t object, const std::string& name) {
   if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) {
     throw Failure(name + " is not a text of fixed length");
   }
-  std::string text(H5Tget_size(type), '\0');
+  const std::size_t length = H5Tget_size(type);
+  if (length > file_bytes(object)) throw Failure(name + " claims to be longer than the file");
+  std::string text(length, '\0');
   check(H5Aread(attribute, type, text.data()), name);
   text.resize(std::char_traits<char>::length(text.c_str()));
   return text;

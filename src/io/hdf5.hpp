@@ -81,8 +81,9 @@ struct Link {
   std::string name;
 };
 
-/// The links of a group; those whose name is damaged are left out.
-[[nodiscard]] std::vector<Link> links(hid_t group);
+/// The first links of a group; those whose name is damaged are left out.
+/// throws  Failure if none of them can be read
+[[nodiscard]] std::vector<Link> links(hid_t group, hsize_t most = HSIZE_UNDEF);
 
 void write(hid_t place, const std::string& name, std::span<const double>);
 void write(hid_t place, const std::string& name, std::span<const std::int64_t>);
@@ -91,10 +92,11 @@ void write(hid_t place, const std::string& name, std::span<const std::int32_t>);
 void write_grid(hid_t place, const std::string& name, std::span<const double>, hsize_t rows,
                 hsize_t columns);
 
-/// A dataset of numbers, any shape, as doubles. throws Failure, also if it claims to be larger than
-/// `most` numbers (a damaged length must not ask for the whole memory).
-[[nodiscard]] std::vector<double> read(hid_t place, const std::string& name,
-                                       std::size_t most = SIZE_MAX);
+/// A dataset of numbers, any shape, as doubles.
+/// throws  Failure, a sentence that begins with the name: what hdf5_inside.hpp refuses, a filter that
+///         this HDF5 lacks, damage
+[[nodiscard]] std::vector<double> read(hid_t place, const std::string& name);
+[[nodiscard]] std::vector<double> read_dataset(hid_t set, const std::string& name);
 
 void write_attribute(hid_t object, const std::string& name, double);
 void write_attribute(hid_t object, const std::string& name, std::int64_t);

@@ -64,7 +64,7 @@ TemporaryFile::~TemporaryFile() {
 }
 
 MendedFile open_mended(const fs::path& path) {
-  require_file(path);
+  require_regular_file(path);
   const auto promised = promised_bytes(path);
   const std::uint64_t bytes = fs::file_size(path);
   MendedFile opened;

@@ -5,21 +5,30 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "io/files.hpp"
 #include "io/hdf5.hpp"
+#include "io/hdf5_inside.hpp"
+#include "io/quote.hpp"
 
 namespace vortree::io {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// A column that has been looked at, but not read.
+struct Found {
+  std::string name;
+  h5::Handle set;
+  std::size_t count = 0;
+  std::vector<double>* values;
+};
+
 /// One file being read; every complaint begins with its name.
 class Reader {
  public:
   explicit Reader(const fs::path& path) : path_(path) {
-    require_file(path);
+    require_regular_file(path);
     if (!h5::is_hdf5(path)) throw InputError(path.string() + " is not an HDF5 file");
     try {
       file_ = h5::open_file(path);
@@ -28,70 +37,81 @@ class Reader {
     }
   }
 
-  std::vector<double> column(const std::string& name, Need need,
-                             std::optional<std::size_t> length = {}) const {
-    if (need == Need::unused) return {};
+  /// Looks at a column; `values` is where read_all will put it.
+  void find(const std::string& name, Need need, std::vector<double>& values) {
+    if (need == Need::unused) return;
     if (!h5::has(file_, name)) {
-      if (need == Need::optional) return {};
+      if (need == Need::optional) return;
       refuse(fmt::format("there is no dataset {}; the file has {}", name, what_is_there()));
     }
-    require_line_of_numbers(name);
-    std::vector<double> values;
-    try {
-      values = h5::read(file_, name);
-    } catch (const h5::Failure&) {
-      refuse(fmt::format("{} cannot be read: the file is damaged", name));
+    Found found{.name = name, .set = h5::open_dataset(file_, name), .values = &values};
+    require_line_of_numbers(found);
+    found.count = h5::believed_count(found.set, name);
+    if (!found_.empty() && found.count != found_[0].count) {
+      refuse(fmt::format("{} has {} values, but x has {}", name, found.count, found_[0].count));
     }
-    if (length && values.size() != *length) {
-      refuse(fmt::format("{} has {} values, but x has {}", name, values.size(), *length));
-    }
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!std::isfinite(values[i])) {
-        refuse(fmt::format("{}[{}] is {}; finite numbers were expected", name, i, values[i]));
-      }
-    }
-    return values;
+    found_.push_back(std::move(found));
   }
 
-  template <class Holds>
-  void require(const std::string& name, std::span<const double> values, Holds holds,
-               std::string_view words) const {
-    const auto bad = std::find_if_not(values.begin(), values.end(), holds);
-    if (bad != values.end()) {
-      refuse(fmt::format("{}[{}] is {}; it must be {}", name, bad - values.begin(), *bad, words));
+  void read_all() const {
+    if (!found_.empty()) h5::require_room(found_[0].count * found_.size(), names());
+    for (const Found& column : found_) {
+      *column.values = h5::read_dataset(column.set, column.name);
+      require(
+          column, [](double v) { return std::isfinite(v); }, "finite numbers were expected");
+      if (column.name == "sigma" || column.name == "reach") {
+        require(
+            column, [](double v) { return v >= 0; }, "it must be >= 0");
+      }
     }
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& words) const {
-    throw InputError(fmt::format("{}: {}", path_.string(), words));
+  [[noreturn]] static void refuse(const std::string& words) { throw h5::Failure(words); }
+
+  template <class Holds>
+  static void require(const Found& column, Holds holds, std::string_view words) {
+    const std::vector<double>& values = *column.values;
+    const auto bad = std::find_if_not(values.begin(), values.end(), holds);
+    if (bad != values.end()) {
+      refuse(fmt::format("{}[{}] is {}; {}", column.name, bad - values.begin(), *bad, words));
+    }
+  }
+
+  std::string names() const {
+    std::vector<std::string_view> names;
+    for (const Found& column : found_) names.push_back(column.name);
+    return fmt::format("{}", fmt::join(names, " + "));
   }
 
   std::string what_is_there() const {
     std::vector<std::string> found;
-    for (const auto& [index, name] : h5::links(file_)) found.push_back(name);
-    return found.empty() ? "none" : fmt::format("{}", fmt::join(found, ", "));
+    for (auto& link : h5::links(file_, most_links)) found.push_back(shortened(link.name, 40));
+    if (found.empty()) return "none";
+    if (found.size() == most_links) found.back() = "more";
+    return fmt::format("{}", fmt::join(found, ", "));
   }
 
-  void require_line_of_numbers(const std::string& name) const {
-    const h5::Handle set(H5Dopen2(file_, name.c_str(), H5P_DEFAULT));
-    if (set < 0) refuse(fmt::format("{} is not a dataset", name));
-    const h5::Handle type(H5Dget_type(set));
+  static void require_line_of_numbers(const Found& found) {
+    const h5::Handle type(H5Dget_type(found.set));
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
-      refuse(fmt::format("{} does not hold numbers", name));
+      refuse(fmt::format("{} does not hold numbers", found.name));
     }
-    const h5::Handle space(H5Dget_space(set));
+    const h5::Handle space(H5Dget_space(found.set));
     const int dimensions = H5Sget_simple_extent_ndims(space);
     if (dimensions == 1) return;
     std::vector<hsize_t> shape(std::max(dimensions, 0));
     H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-    refuse(fmt::format("{} has {} dimensions ({}); one was expected", name, shape.size(),
+    refuse(fmt::format("{} has {} dimensions ({}); one was expected", found.name, shape.size(),
                        fmt::join(shape, " x ")));
   }
 
+  static constexpr hsize_t most_links = 8;
+
   fs::path path_;
   h5::Handle file_;
+  std::vector<Found> found_;
 };
 
 void write_all(const fs::path& path, std::span<const Column> columns, const Attributes& about) {
@@ -108,18 +128,18 @@ void write_all(const fs::path& path, std::span<const Column> columns, const Attr
 }  // namespace
 
 Particles read_particles(const fs::path& path, Columns columns) {
-  const Reader reader(path);
   Particles p;
-  p.x = reader.column("x", Need::required);
-  const std::size_t n = p.x.size();
-  p.y = reader.column("y", Need::required, n);
-  p.gamma = reader.column("gamma", columns.gamma, n);
-  p.sigma = reader.column("sigma", columns.sigma, n);
-  p.reach = reader.column("reach", columns.reach, n);
-  reader.require(
-      "sigma", p.sigma, [](double v) { return v >= 0; }, ">= 0");
-  reader.require(
-      "reach", p.reach, [](double v) { return v >= 0; }, ">= 0");
+  try {
+    Reader reader(path);
+    reader.find("x", Need::required, p.x);
+    reader.find("y", Need::required, p.y);
+    reader.find("gamma", columns.gamma, p.gamma);
+    reader.find("sigma", columns.sigma, p.sigma);
+    reader.find("reach", columns.reach, p.reach);
+    reader.read_all();
+  } catch (const h5::Failure& failure) {
+    throw InputError(fmt::format("{}: {}", path.string(), failure.what()));
+  }
   return p;
 }
 

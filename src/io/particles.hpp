@@ -30,7 +30,8 @@ struct Columns {
 /// Reads 1-D datasets from the root of an HDF5 file; any integer or floating-point type is
 /// converted to double.
 ///
-/// throws  InputError for: no such file, a folder, not HDF5, a required dataset missing, not
+/// throws  InputError for: no such file, a folder, a pipe, not HDF5, damaged, numbers that lie in
+///         another file or whose filter is missing (hdf5_inside.hpp), a required dataset missing, not
 ///         one-dimensional, not numbers, lengths that differ (which, how many), NaN or infinity
 ///         (dataset and index), sigma < 0, reach < 0
 [[nodiscard]] Particles read_particles(const std::filesystem::path&, Columns = {});

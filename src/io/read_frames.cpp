@@ -4,12 +4,14 @@
 
 #include <algorithm>
 
+#include "io/files.hpp"
 #include "io/frame_group.hpp"
 #include "io/hdf5.hpp"
 
 namespace vortree::io {
 
 std::vector<Frame> read_frames(const std::filesystem::path& path, std::size_t most) {
+  require_regular_file(path);
   try {
     const h5::Handle file = h5::open_file(path);
     const std::vector<FramePlace> places = frame_places(file);
