@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/timetable.hpp"
+
 namespace vortree::app {
 namespace {
 
@@ -87,7 +89,7 @@ void doubt_vortex(List& list, const io::Scene& scene) {
 }  // namespace
 
 std::vector<std::string> doubts(const io::Scene& scene) {
-  List list;
+  List list = doubts_of_times(scene);
   const double speed = io::fastest_of(scene);
   if (scene.body && speed > 0 && scene.flow.nu > 0) doubt_body(list, scene, speed);
   if (scene.initial && !scene.body) doubt_vortex(list, scene);

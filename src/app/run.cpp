@@ -19,6 +19,7 @@
 #include "app/sanity.hpp"
 #include "app/signals.hpp"
 #include "app/summary.hpp"
+#include "app/timetable.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
 
@@ -34,6 +35,7 @@ class Run {
       : scene_(std::move(scene)),
         folder_(options.out),
         figures_(options.figures),
+        timetable_(scene_),
         flow_(flow_case(scene_)),
         files_(scene_, flow_, folder_),
         history_(flow_) {}
@@ -43,11 +45,7 @@ class Run {
   RunResult go();
 
  private:
-  long last_step() const { return std::lround(scene_.time.end / scene_.time.dt); }
-  double time(long step) const { return static_cast<double>(step) * scene_.time.dt; }
-  long steps_between_frames() const {
-    return std::max(1L, std::lround(scene_.output.frames / scene_.time.dt));
-  }
+  double time(long step) const { return timetable_.time(step); }
 
   void advance();
   void save();
@@ -63,6 +61,7 @@ class Run {
   io::Scene scene_;
   fs::path folder_;
   bool figures_;
+  Timetable timetable_;
   FlowCase flow_;
   RunFiles files_;
   vortex::Blobs blobs_;
@@ -162,7 +161,7 @@ void Run::advance() {
   flow_.problem.time = time(step_);
   observe(wake);
   watch_.begin("output");
-  if (step_ % steps_between_frames() == 0 || step_ == last_step()) save();
+  if (timetable_.frame_due(step_)) save();
   save_fields();
   watch_.end();
 }
@@ -205,9 +204,7 @@ void Run::save() {
 }
 
 void Run::save_fields() {
-  const bool due = std::ranges::any_of(
-      scene_.output.fields, [&](double t) { return std::lround(t / scene_.time.dt) == step_; });
-  if (due) files_.field(picture(time(step_), scene_.output, blobs_, flow_));
+  if (timetable_.field_due(step_)) files_.field(picture(time(step_), scene_.output, blobs_, flow_));
 }
 
 /// Relative drift of what is kept: circulation beside a wall, else the second moment but for
@@ -223,16 +220,16 @@ RunResult Run::go() {
   const double start = time(step_);
   StopRequest stop;
   ProgressLine progress;
-  while (step_ < last_step()) {
+  while (step_ < timetable_.last_step()) {
     advance();
     progress.show({.step = step_,
                    .time = time(step_),
                    .dt = scene_.time.dt,
                    .start = start,
-                   .end = scene_.time.end,
+                   .end = time(timetable_.last_step()),
                    .particles = blobs_.size(),
                    .drift = totals_.largest_drift});
-    if (stop && step_ < last_step()) {
+    if (stop && step_ < timetable_.last_step()) {
       progress.clear();
       save();
       fmt::print(stderr,
@@ -265,6 +262,17 @@ RunResult Run::finish() {
           .seconds = totals_.seconds};
 }
 
+/// A run that is resumed keeps the step that was chosen for it, whatever its end is by now.
+io::Scene scene_of(const RunOptions& options) {
+  const fs::path file = find_scene(options.scene);
+  io::Scene scene = io::load_scene(file, options.overrides);
+  if (!options.resume || !scene.origin.step_chosen) return scene;
+  const std::string was = io::read_last_good(options.out / "frames.h5").info.resolved;
+  std::vector<std::string> overrides = options.overrides;
+  overrides.push_back(fmt::format("time.dt={}", io::parse_scene(was, file).time.dt));
+  return io::load_scene(file, overrides);
+}
+
 }  // namespace
 
 bool RunResult::passed() const {
@@ -272,7 +280,7 @@ bool RunResult::passed() const {
 }
 
 RunResult run(const RunOptions& options) {
-  io::Scene scene = io::load_scene(find_scene(options.scene), options.overrides);
+  io::Scene scene = scene_of(options);
   for (const std::string& doubt : doubts(scene))
     fmt::print(stderr, "vortree: warning: {}\n", doubt);
   Run run(std::move(scene), options);

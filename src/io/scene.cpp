@@ -12,6 +12,7 @@
 #include "io/scene_choice.hpp"
 #include "io/scene_document.hpp"
 #include "io/scene_reader.hpp"
+#include "io/scene_time.hpp"
 
 namespace vortree::io {
 namespace {
@@ -110,10 +111,6 @@ void check_together(const Document& document, const Scene& scene) {
                     fmt::format("cores.sigma_max is {}; it must be >= cores.sigma_0 = {}",
                                 cores.sigma_max, cores.sigma_0));
   }
-  if (scene.time.end < scene.time.dt) {
-    document.refuse("time.end", fmt::format("time.end is {}; it must be >= time.dt = {}",
-                                            scene.time.end, scene.time.dt));
-  }
   if (scene.initial) check_initial(document, *scene.initial, cores.sigma_0);
   if (scene.body && scene.diffusion.kind != DiffusionKind::core_spreading)
     document.refuse("diffusion.kind",
@@ -159,9 +156,8 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path,
   if (scene.body) check_body(document, *scene.body);
   if (scene.plunge) check_plunge(document, scene);
   choose_missing(document, scene);
-  if (scene.output.frames == 0) {
-    scene.output.frames = std::max(scene.time.end / 14, scene.time.dt);
-  }
+  check_time(document, scene.time);
+  if (scene.output.frames == 0) scene.output.frames = usual_frames(scene.time);
   check_together(document, scene);
   return scene;
 }

@@ -130,7 +130,8 @@ struct SceneVelocity {
   bool operator==(const SceneVelocity&) const = default;
 };
 
-/// frames   time between two saved frames; a loaded scene always has it (default: end/14, or dt)
+/// frames   time between two saved frames; a loaded scene always has it (default: end/14, or dt,
+///          in whole steps)
 /// fields   times of the pictures, drawn on `window` = [x0, y0, x1, y1] every `field_spacing`; a
 ///          loaded scene that has fields has both
 struct SceneOutput {
@@ -189,11 +190,13 @@ struct SceneCheck {
   bool operator==(const SceneCheck&) const = default;
 };
 
-/// Where a scene came from, to the letter: enough to load it again.
+/// Where a scene came from, to the letter: enough to load it again. step_chosen: time.dt is not
+/// written but follows from the accuracy and from time.end, which it meets.
 struct SceneOrigin {
   std::filesystem::path path{};
   std::string text{};
   std::vector<std::string> overrides{};
+  bool step_chosen = false;
 };
 
 /// core_spreading: wider cores, split and merged; random_walk and particle_exchange: cores stay as

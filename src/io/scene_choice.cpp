@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/scene_time.hpp"
+
 namespace vortree::io {
 namespace {
 
@@ -50,8 +52,9 @@ Choice past_body(const Scene& scene, double e) {
   const double period = scene.plunge ? 1 / scene.plunge->frequency : INFINITY;
   c.dt = scene.time.dt > 0
              ? scene.time.dt
-             : std::min(std::min(2 * e, 0.02 * std::sqrt(550 / reynolds)) * length / speed,
-                        period / 100);
+             : fitted_step(scene, std::min(std::min(2 * e, 0.02 * std::sqrt(550 / reynolds)) *
+                                               length / speed,
+                                           period / 100));
   c.sigma_max = std::min(4 * std::sqrt(e * nu * length / speed),
                          std::sqrt(8 * nu * c.dt) * std::pow(std::max(e / 0.01, 1.0), 0.25));
   c.sigma_max = std::max(c.sigma_max, std::sqrt(4 * nu * c.dt));
@@ -74,7 +77,7 @@ Choice free_vortex(const Scene& scene, double e) {
   Choice c{};
   c.sigma_max = 1.2 * width * std::sqrt(e);
   c.sigma_0 = c.sigma_max / 1.3;
-  c.dt = 0.4 / omega;
+  c.dt = fitted_step(scene, 0.4 / omega);
   c.merging = 0.02 * e * width * omega;
   c.reach = SceneMerging{}.reach;
   c.cap = SceneMerging{}.cap;
@@ -96,6 +99,7 @@ void choose_missing(const Document& document, Scene& scene) {
     };
     fill("cores", "sigma_0", scene.cores.sigma_0, c.sigma_0);
     fill("cores", "sigma_max", scene.cores.sigma_max, c.sigma_max);
+    scene.origin.step_chosen = !written(document, "time", "dt");
     fill("time", "dt", scene.time.dt, c.dt);
     fill("merging", "tolerance", scene.merging.tolerance, c.merging);
     fill("merging", "reach", scene.merging.reach, c.reach);

@@ -17,7 +17,9 @@ namespace vortree::io {
 ///                                           so that strain has but two steps between splits, and
 ///                                           not below the sqrt(4 nu dt) that a step adds
 ///   dt        = min(2 e, 0.02 sqrt(550/Re)) D/U     the wall's vorticity turns less than 1 rad
-///                                           and a plunge has 100 steps a period
+///                                           and a plunge has 100 steps a period; here and below
+///                                           a little less, so that time.end is met
+///                                           (scene_time.hpp)
 ///   sigma_0   = sqrt(2 nu dt)               panels: 2.4 sigma_0 long, 0.7 of the radius of a
 ///                                           trailing edge at most, 128 to 4000 of them
 ///   merging.tolerance = 0.4 sqrt(e) U,  merging.reach = 3,  merging.cap = 1.2

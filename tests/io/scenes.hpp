@@ -56,7 +56,7 @@ spacing = 0.9
 centre = [3, 4]
 [time]
 dt = 1e-300
-end = 1e300
+end = 5e-293
 scheme = "rk4"
 [velocity]
 method = "direct"
