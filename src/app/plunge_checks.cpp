@@ -9,6 +9,8 @@
 namespace vortree::app {
 namespace {
 
+const Reached no_period{.value = {}, .why = "the run ends before a whole period"};
+
 /// The last rows of a report that make up whole periods: [first, last), none if there is not one.
 struct Periods {
   std::size_t first = 0, last = 0;
@@ -40,8 +42,9 @@ void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Co
                    const Column& force, Periods periods, const FlowCase& flow) {
   constexpr double pi = std::numbers::pi;
   const double omega = flow.problem.flow.plunge.omega();
-  const auto off = [&](double value, const std::optional<double>& known) {
-    return periods.any() && known ? std::abs(value / *known - 1) : unseen;
+  const auto off = [&](double value, const std::optional<double>& known) -> Reached {
+    if (!periods.any()) return no_period;
+    return {std::abs(deviation(value, known.value_or(0)))};
   };
   const std::complex<double> f = at_frequency(t, force, periods, omega);
   add(list, "morison_drag_max", c.morison_drag_max,
@@ -59,15 +62,15 @@ void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const Flow
   const Periods periods = whole_periods(scene, rows);
   const Column t = rows.column("t");
   check_morison(list, scene.check, t, rows.column("cd_impulse"), periods, flow);
-  add(list, "theodorsen_max", scene.check.theodorsen_max, [&] {
-    if (!periods.any()) return unseen;
+  add(list, "theodorsen_max", scene.check.theodorsen_max, [&]() -> Reached {
+    if (!periods.any()) return no_period;
     const vortex::Plunge& plunge = flow.problem.flow.plunge;
     const vortex::Vec2 across{-flow.along.y, flow.along.x};
     const double half = flow.diameter / 2;
     const auto plate = exact::lift_of_plunge(dot(plunge.amplitude, across) / half,
                                              plunge.omega() * half / flow.speed);
     const auto ours = at_frequency(t, rows.column("cl_impulse"), periods, plunge.omega());
-    return std::abs(ours - plate) / std::abs(plate);
+    return {share(std::abs(ours - plate), std::abs(plate))};
   });
 }
 

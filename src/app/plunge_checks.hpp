@@ -7,7 +7,8 @@
 namespace vortree::app {
 
 /// What a body that plunges feels, held against the scene's [check], over as many whole periods as
-/// there are between T = plunge_from and the end (none: not reached).
+/// there are between T = plunge_from and the end (none:
+/// not reached).
 ///
 /// morison_*       the force along the plunge, in fluid at rest, as
 ///

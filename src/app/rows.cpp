@@ -1,14 +1,14 @@
 #include "app/rows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace vortree::app {
 
-/// Cubic through the four nearest entries of a table; NaN outside it.
-double interpolated(const Column& x, const Column& y, double at) {
-  if (x.size() < 4 || at < x.front() - 1e-9 || at > x.back() + 1e-9)
-    return std::numeric_limits<double>::quiet_NaN();
+std::optional<double> interpolated(const Column& x, const Column& y, double at) {
+  if (x.size() < 4 || at < x.front() - 1e-9 || at > x.back() + 1e-9) return std::nullopt;
   const auto above = std::ranges::upper_bound(x, at) - x.begin();
   const auto first = std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(x) - 4);
   double sum = 0;
@@ -21,32 +21,57 @@ double interpolated(const Column& x, const Column& y, double at) {
   return sum;
 }
 
-double Rows::largest(std::optional<double> from, const Value& value) const {
-  double most = -unseen;
-  for (std::size_t r : rows(from)) most = std::max(most, std::abs(value(r)));
-  return most < 0 ? unseen : most;
+double deviation(double ours, double known) {
+  return known == 0 ? ours : ours / known - 1;
 }
 
-double Rows::rms(std::optional<double> from, const Value& value) const {
-  double sum = 0, count = 0;
-  for (std::size_t r : rows(from)) {
-    const double one = value(r);
-    if (std::isnan(one)) continue;  // beyond what a table has
-    sum += one * one;
-    ++count;
+double share(double part, double whole) {
+  return whole == 0 ? part : part / whole;
+}
+
+double largest_of(const Column& values) {
+  double most = 0;
+  for (const double value : values) {
+    if (std::isnan(value)) return value;
+    most = std::max(most, std::abs(value));
   }
-  return count == 0 ? unseen : std::sqrt(sum / count);
+  return most;
 }
 
-std::vector<std::size_t> Rows::rows(std::optional<double> from) const {
-  std::vector<std::size_t> result;
-  for (std::size_t r = 0; r < T_.size(); ++r)
-    if (T_[r] >= from.value_or(0) - 1e-9) result.push_back(r);
-  return result;
+Reached Rows::too_short() const {
+  return {.value = {},
+          .why = T_.empty() ? "the report has no rows"
+                            : fmt::format("the run ends at T = {:.6g}", T_.back())};
+}
+
+Reached Rows::of_values(std::optional<double> from, const Value& value,
+                        const std::function<double(const Column&)>& number) const {
+  Column values;
+  bool any = false;
+  for (std::size_t r = 0; r < T_.size(); ++r) {
+    if (T_[r] < from.value_or(0) - 1e-9) continue;
+    any = true;
+    if (const auto one = value(r)) values.push_back(*one);
+  }
+  if (!any) return too_short();
+  if (values.empty()) return {.value = {}, .why = "the reference has no values for these times"};
+  return {.value = number(values)};
+}
+
+Reached Rows::largest(std::optional<double> from, const Value& value) const {
+  return of_values(from, value, largest_of);
+}
+
+Reached Rows::rms(std::optional<double> from, const Value& value) const {
+  return of_values(from, value, [](const Column& values) {
+    double sum = 0;
+    for (const double one : values) sum += one * one;
+    return std::sqrt(sum / static_cast<double>(values.size()));
+  });
 }
 
 void add(std::vector<Verdict>& list, const char* what, std::optional<double> asked,
-         const std::function<double()>& reached) {
+         const std::function<Reached()>& reached) {
   if (asked) list.push_back({what, *asked, reached()});
 }
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -12,12 +11,18 @@
 
 namespace vortree::app {
 
-constexpr double unseen = std::numeric_limits<double>::infinity();
 using Column = std::vector<double>;
-using Value = std::function<double(std::size_t row)>;
 
-/// Cubic through the four nearest entries of a table; NaN outside it.
-double interpolated(const Column& x, const Column& y, double at);
+/// A deviation in one row of a report; none where there is nothing to compare with.
+using Value = std::function<std::optional<double>(std::size_t row)>;
+
+/// Cubic through the four nearest entries of a table; none outside it, or of fewer than four.
+std::optional<double> interpolated(const Column& x, const Column& y, double at);
+
+/// ours/known - 1; ours itself where known is zero.
+double deviation(double ours, double known);
+/// part/whole; the part itself where the whole is zero.
+double share(double part, double whole);
 
 /// The rows of a report from a time T on.
 class Rows {
@@ -27,19 +32,26 @@ class Rows {
   Column column(std::string_view name) const { return table_.column(name); }
   const Column& T() const { return T_; }
 
-  /// The largest absolute value, or `unseen` without rows.
-  double largest(std::optional<double> from, const Value& value) const;
-  double rms(std::optional<double> from, const Value& value) const;
+  /// The largest absolute value, and the root of the mean square; NaN if one is.
+  Reached largest(std::optional<double> from, const Value& value) const;
+  Reached rms(std::optional<double> from, const Value& value) const;
+
+  /// What has no number because the run has ended before.
+  Reached too_short() const;
 
  private:
-  std::vector<std::size_t> rows(std::optional<double> from) const;
+  Reached of_values(std::optional<double> from, const Value& value,
+                    const std::function<double(const Column&)>& number) const;
 
   io::Table table_;
   Column T_;
 };
 
+/// The largest absolute value; NaN if one is.
+double largest_of(const Column& values);
+
 /// Adds the verdict if something was asked.
 void add(std::vector<Verdict>& list, const char* what, std::optional<double> asked,
-         const std::function<double()>& reached);
+         const std::function<Reached()>& reached);
 
 }  // namespace vortree::app

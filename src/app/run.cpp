@@ -276,7 +276,7 @@ io::Scene scene_of(const RunOptions& options) {
 }  // namespace
 
 bool RunResult::passed() const {
-  return finished && std::ranges::all_of(verdicts, &Verdict::passed);
+  return finished && std::ranges::none_of(verdicts, &Verdict::missed);
 }
 
 RunResult run(const RunOptions& options) {

@@ -27,6 +27,7 @@ struct RunResult {
   long steps = 0;
   double most_blobs = 0, particle_steps = 0, seconds = 0;
 
+  /// It came to its end and missed nothing that was asked and could be seen by then.
   bool passed() const;
 };
 

@@ -11,6 +11,27 @@
 
 namespace vortree::app {
 
+namespace {
+
+/// Whether all that was reached has passed; null where nothing was.
+io::Json check(std::span<const Verdict> verdicts) {
+  io::Json json;
+  const bool missed = std::ranges::any_of(verdicts, &Verdict::missed);
+  const bool none = std::ranges::none_of(verdicts, &Verdict::passed) && !verdicts.empty();
+  json["passed"] = !missed && none ? io::Json() : io::Json(!missed);
+  for (const Verdict& v : verdicts) {
+    io::Json& one = json[v.what];
+    one["asked"] = v.asked;
+    one["reached"] = v.reached.value ? io::Json(*v.reached.value) : io::Json();
+    one["passed"] = v.reached.value ? io::Json(v.passed()) : io::Json();
+    one["status"] = v.passed() ? "passed" : v.missed() ? "missed" : "not reached";
+    if (!v.reached.value) one["why"] = v.reached.why;
+  }
+  return json;
+}
+
+}  // namespace
+
 io::Json summary(const io::Scene& scene, const std::filesystem::path& folder, long steps,
                  std::size_t blobs, const Totals& totals, std::span<const Verdict> verdicts) {
   io::Json json;
@@ -31,12 +52,7 @@ io::Json summary(const io::Scene& scene, const std::filesystem::path& folder, lo
     const auto laps = report.column(std::string("seconds_") + phase);
     json["seconds"][phase] = std::accumulate(laps.begin(), laps.end(), 0.0);
   }
-  json["check"]["passed"] = std::ranges::all_of(verdicts, &Verdict::passed);
-  for (const Verdict& v : verdicts) {
-    json["check"][v.what]["asked"] = v.asked;
-    json["check"][v.what]["reached"] = v.reached;
-    json["check"][v.what]["passed"] = v.passed();
-  }
+  json["check"] = check(verdicts);
   return json;
 }
 

@@ -15,7 +15,8 @@ struct Totals {
 };
 
 /// What summary.json says of a finished run: the scene, its `steps`, the `blobs` at the end,
-/// totals, and how it was checked. The seconds of the phases are read from report.csv in `folder`.
+/// totals, and how it was checked: asked, reached, passed and status of each; what was not reached
+/// has null for both and says why. The seconds of the phases are read from report.csv in `folder`.
 io::Json summary(const io::Scene& scene, const std::filesystem::path& folder, long steps,
                  std::size_t blobs, const Totals& totals, std::span<const Verdict> verdicts);
 

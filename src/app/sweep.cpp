@@ -105,7 +105,7 @@ std::vector<std::string> errors_of(std::span<const Member> members) {
 
 double reached(const Member& member, const std::string& what) {
   for (const Verdict& v : member.result.verdicts)
-    if (v.what == what) return v.reached;
+    if (v.what == what) return v.reached.value.value_or(unknown);
   return unknown;
 }
 

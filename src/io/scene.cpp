@@ -9,6 +9,7 @@
 
 #include "io/files.hpp"
 #include "io/quote.hpp"
+#include "io/scene_check.hpp"
 #include "io/scene_choice.hpp"
 #include "io/scene_document.hpp"
 #include "io/scene_reader.hpp"
@@ -132,6 +133,7 @@ void check_together(const Document& document, const Scene& scene) {
     document.refuse("cores.coarsen_from",
                     "cores.coarsen_from is a distance from the body; there is no [body]");
   check_output(document, scene);
+  check_asked(document, scene);
   require_reference(document, scene, "check.drag_reference", scene.check.drag_reference);
   require_reference(document, scene, "check.wall_vorticity_reference",
                     scene.check.wall_vorticity_reference);

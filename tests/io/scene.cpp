@@ -42,7 +42,7 @@ TEST_CASE("every key of a scene is read") {
   CHECK(scene.output.window == std::array<double, 4>{-1, -2, 3, 4});
   CHECK(scene.output.field_spacing == 0.1);
   CHECK(scene.check ==
-        SceneCheck{.drag_max = 0.01, .exact = ExactAnswer::lamb_oseen, .blobs_max = 100000});
+        SceneCheck{.lift_max = 0.01, .exact = ExactAnswer::lamb_oseen, .blobs_max = 100000});
 }
 
 TEST_CASE("a resolved scene is a scene, and the same one") {

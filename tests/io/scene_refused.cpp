@@ -169,3 +169,26 @@ TEST_CASE("a reference file is looked for beside the scene, and must be there") 
   const Scene scene = load_scene(path);
   CHECK(reference_path(scene, *scene.check.drag_reference) == file);
 }
+
+TEST_CASE("what a check asks has something that it is held against, or is refused") {
+  const std::string body =
+      "[flow]\nnu = 1e-3\nstream = [1, 0]\n[body]\nradius = 0.5\n"
+      "[cores]\nsigma_0 = 0.05\nsigma_max = 0.1\n[time]\ndt = 0.01\nend = 2\n";
+  const auto asked = [](const std::string& scene, const std::string& key) {
+    return refused(scene, {"check." + key + "=0.01"});
+  };
+  for (const char* key : {"drag_max", "drag_rms", "bubble_max", "separation_max_deg"})
+    CHECK_THAT(asked(body, key), EndsWith("that needs [body] and check.drag_reference"));
+  CHECK(asked(body, "strouhal_max") ==
+        "command line: check.strouhal_max=0.01: check.strouhal_max is 0.01; that needs [body] and "
+        "check.strouhal");
+  for (const char* key : {"wall_vorticity_max", "wall_vorticity_rms", "mean_drag_max",
+                          "mean_lift_max", "morison_drag_max", "theodorsen_max", "energy_max"})
+    CHECK_THAT(asked(body, key), StartsWith("command line: check." + std::string(key)));
+  for (const char* key :
+       {"lift_max", "routes_max", "lift_routes_max", "vorticity_max", "velocity_max",
+        "rotation_max", "merger_max", "speed_max", "quadrupole_max", "separation_max"})
+    CHECK_THAT(asked(plain, key), StartsWith("command line: check." + std::string(key)));
+  CHECK(parse(plain, {"check.energy_max=0.01"}).check.energy_max == 0.01);
+  CHECK(parse(body, {"check.lift_max=0.01"}).check.lift_max == 0.01);
+}

@@ -72,7 +72,7 @@ fields = [0, 0.5, 1e-3]
 window = [-1, -2, 3, 4]
 field_spacing = 0.1
 [check]
-drag_max = 0.01
+lift_max = 0.01
 exact = "lamb_oseen"
 blobs_max = 100000
 )";
