@@ -6,6 +6,7 @@
 
 #include "app/advice.hpp"
 #include "app/places.hpp"
+#include "app/say.hpp"
 #include "io/scene.hpp"
 
 namespace vortree::app {
@@ -34,7 +35,7 @@ std::string list_cases() {
 std::string check(const std::string& scene, const std::vector<std::string>& overrides) {
   const io::Scene loaded = io::load_scene(find_scene(scene), overrides);
   for (const std::string& doubt : doubts(loaded))
-    fmt::print(stderr, "vortree: warning: {}\n", doubt);
+    say("warning: {}", doubt);
   return io::resolved(loaded);
 }
 

@@ -16,6 +16,7 @@
 #include "app/places.hpp"
 #include "app/plot.hpp"
 #include "app/run.hpp"
+#include "app/say.hpp"
 #include "app/sweep.hpp"
 #include "app/velocity.hpp"
 #include "io/input_error.hpp"
@@ -41,7 +42,7 @@ struct Words {
 int complain(std::string message, int code) {
   while (!message.empty() && message.back() == '\n') message.pop_back();
   std::ranges::replace(message, '\n', ' ');
-  fmt::print(stderr, "vortree: {}\n", message);
+  say("{}", message);
   return code;
 }
 

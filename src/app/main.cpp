@@ -1,3 +1,4 @@
+#include <hdf5.h>
 #include <malloc.h>
 
 #include "app/cli.hpp"
@@ -18,5 +19,7 @@ void keep_freed_memory() {
 int main(int argc, char** argv) {
   keep_freed_memory();
   vortree::app::sleep_while_waiting(argv);
+  // All files are closed before the end; HDF5's own cleanup crashes if one could not be written.
+  H5dont_atexit();
   return vortree::app::command_line(argc, argv);
 }

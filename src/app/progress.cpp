@@ -41,7 +41,7 @@ void ProgressLine::show(const Progress& progress) {
   const auto now = Clock::now();
   if (!terminal_ || (shown_ && now - last_ < 200ms)) return;
   const double elapsed = std::chrono::duration<double>(now - start_).count();
-  fmt::print(stderr, "\r\x1b[K{}", progress_line(progress, elapsed));
+  std::fputs(("\r\x1b[K" + progress_line(progress, elapsed)).c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;
   last_ = now;
@@ -49,7 +49,7 @@ void ProgressLine::show(const Progress& progress) {
 
 void ProgressLine::clear() {
   if (!shown_) return;
-  fmt::print(stderr, "\r\x1b[K");
+  std::fputs("\r\x1b[K", stderr);
   std::fflush(stderr);
   shown_ = false;
 }

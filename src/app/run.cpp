@@ -17,6 +17,7 @@
 #include "app/record.hpp"
 #include "app/run_files.hpp"
 #include "app/sanity.hpp"
+#include "app/say.hpp"
 #include "app/signals.hpp"
 #include "app/summary.hpp"
 #include "app/timetable.hpp"
@@ -79,8 +80,8 @@ void Run::begin() {
   blobs_ = initial_blobs(scene_);
   const vortex::Wake wake = vortex::start(blobs_, flow_.problem);
   observe(wake);
-  save();
   save_fields();
+  save();
 }
 
 void Run::resume() {
@@ -101,8 +102,8 @@ void Run::resume() {
   second_moment_at_start_ = t.at(4);
   if (const auto gone = frame.state.find("retired"); gone != frame.state.end())
     flow_.problem.retired = {gone->second.at(0), {gone->second.at(1), gone->second.at(2)}};
-  files_.resume(step_);
-  fmt::print(stderr, "vortree: going on from step {}, t = {:g}\n", step_, time(step_));
+  files_.resume(frame);
+  say("going on from step {}, t = {:g}", step_, time(step_));
 }
 
 void Run::observe(const vortex::Wake& wake) {
@@ -161,8 +162,8 @@ void Run::advance() {
   flow_.problem.time = time(step_);
   observe(wake);
   watch_.begin("output");
+  save_fields();  // before the frame, which tells of it
   if (timetable_.frame_due(step_)) save();
-  save_fields();
   watch_.end();
 }
 
@@ -199,7 +200,7 @@ void Run::save() {
   } else {
     files_.energy(time(step_), blobs_);
   }
-  files_.frame(frame);
+  files_.frame(std::move(frame));
   saved_step_ = step_;
 }
 
@@ -232,9 +233,8 @@ RunResult Run::go() {
     if (stop && step_ < timetable_.last_step()) {
       progress.clear();
       save();
-      fmt::print(stderr,
-                 "vortree: stopped at step {}, t = {:g}; the same command with --resume goes on\n",
-                 step_, time(step_));
+      say("stopped at step {}, t = {:g}; the same command with --resume goes on", step_,
+          time(step_));
       return {};
     }
   }
@@ -244,6 +244,7 @@ RunResult Run::go() {
 
 RunResult Run::finish() {
   history_.finish(writer());
+  files_.end();
   const std::vector<Verdict> list = verdicts(scene_, folder_, blobs_, flow_);
   totals_.seconds += watch_.elapsed();
   io::write_json(folder_ / "summary.json",
@@ -282,7 +283,7 @@ bool RunResult::passed() const {
 RunResult run(const RunOptions& options) {
   io::Scene scene = scene_of(options);
   for (const std::string& doubt : doubts(scene))
-    fmt::print(stderr, "vortree: warning: {}\n", doubt);
+    say("warning: {}", doubt);
   Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();
   return run.go();

@@ -1,12 +1,18 @@
 #include "app/run_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <stdexcept>
 
 #include "app/places.hpp"
+#include "app/say.hpp"
+#include "io/files.hpp"
 #include "vortex/energy.hpp"
 
 namespace vortree::app {
@@ -14,9 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> wall_columns{"t", "T", "angle_deg", "vorticity", "sheet"};
-const std::vector<std::string> energy_columns{"t", "energy", "enstrophy"};
 constexpr std::size_t most_for_energy = 20000;
+const std::string fields_key = "times of fields";  // in the state of a frame
 
 io::RunInfo run_info(const io::Scene& scene) {
   return {.version = version(),
@@ -46,23 +51,22 @@ std::string difference(const io::Scene& a, const io::Scene& b) {
 }  // namespace
 
 RunFiles::RunFiles(const io::Scene& scene, const FlowCase& flow, fs::path folder)
-    : scene_(scene), flow_(flow), folder_(std::move(folder)) {}
+    : scene_(scene),
+      flow_(flow),
+      folder_(std::move(folder)),
+      tables_(folder_, flow.wall != nullptr) {}
 
 void RunFiles::begin() {
+  io::remove_file(folder_ / "summary.json");
   io::create_frames(folder_, run_info(scene_));
-  fs::remove(folder_ / "fields.h5");
-  fs::remove(folder_ / "summary.json");
-  report_.emplace(folder_ / "report.csv", Record::names());
-  if (flow_.wall)
-    wall_.emplace(folder_ / "wall.csv", wall_columns);
-  else
-    energy_.emplace(folder_ / "energy.csv", energy_columns);
+  io::remove_file(folder_ / "fields.h5");
+  tables_.begin();
 }
 
 io::Frame RunFiles::last_frame() const {
   const fs::path file = folder_ / "frames.h5";
   io::RecoveredFrames found = io::read_last_good(file);
-  if (!found.warning.empty()) fmt::print(stderr, "vortree: {}\n", found.warning);
+  if (!found.warning.empty()) say("{}", found.warning);
   if (!found.last) throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));
   const io::Scene was = io::parse_scene(found.info.resolved, scene_.origin.path);
   if (const std::string where = difference(was, scene_); !where.empty())
@@ -73,29 +77,57 @@ io::Frame RunFiles::last_frame() const {
   return *std::move(found.last);
 }
 
-void RunFiles::resume(long step) {
-  const auto time = [&](long s) { return static_cast<double>(s) * scene_.time.dt; };
-  io::rewind_frames(folder_, step);
-  io::rewind_fields(folder_, time(step));
-  // The row of the frame itself waits in the history for the step after it.
-  report_ = io::Report::resume(folder_ / "report.csv", Record::names(), time(step - 1));
-  if (flow_.wall)
-    wall_ = io::Report::resume(folder_ / "wall.csv", wall_columns, time(step));
-  else
-    energy_ = io::Report::resume(folder_ / "energy.csv", energy_columns, time(step));
+/// One row of report.csv a step, of which the last still waits in the history; of the other table
+/// as many as a frame adds.
+std::vector<double> RunFiles::expected_times(RunTables::Kind kind, long step) const {
+  std::vector<double> times;
+  if (kind == RunTables::report) {
+    for (long s = 1; s < step; ++s) times.push_back(static_cast<double>(s) * scene_.time.dt);
+    return times;
+  }
+  io::visit_frames(folder_ / "frames.h5", step, [&](const io::Frame& frame) {
+    std::size_t rows = frame.x.size() > most_for_energy ? 0 : 1;
+    if (flow_.wall) rows = frame.step > 0 ? flow_.wall->panels() : 0;
+    times.insert(times.end(), rows, frame.time);
+  });
+  return times;
+}
+
+void RunFiles::resume_fields(const io::Frame& frame) {
+  const std::vector<double> kept = io::rewind_fields(folder_, frame.time);
+  const auto were = frame.state.find(fields_key);
+  fields_ = were == frame.state.end() ? kept : were->second;
+  std::vector<double> lost;
+  std::ranges::copy_if(fields_, std::back_inserter(lost),
+                       [&](double t) { return std::ranges::find(kept, t) == kept.end(); });
+  if (!lost.empty())
+    say("{}: the pictures of t = {} are lost, and are not made again",
+        (folder_ / "fields.h5").string(), fmt::join(lost, ", "));
+}
+
+void RunFiles::resume(const io::Frame& frame) {
+  tables_.resume(frame, [&](RunTables::Kind kind) { return expected_times(kind, frame.step); });
+  resume_fields(frame);
+  io::rewind_frames(folder_, frame.step);
 }
 
 void RunFiles::row(const Record& record) {
   const auto all = record.values();
-  report_->row(std::span(all).first(Record::columns));
+  tables_.row(RunTables::report, std::span(all).first(Record::columns));
 }
 
-void RunFiles::frame(const io::Frame& frame) {
+void RunFiles::frame(io::Frame frame) {
+  tables_.keep(frame);
+  frame.state[fields_key] = fields_;
   io::append_frame(folder_, frame);
 }
 
 void RunFiles::field(const io::Field& field) {
+  if (!fields_.empty() && !fs::exists(folder_ / "fields.h5"))
+    throw std::runtime_error(fmt::format("{} was removed by someone else during the run",
+                                         (folder_ / "fields.h5").string()));
   io::append_field(folder_, field);
+  fields_.push_back(field.time);
 }
 
 void RunFiles::wall(double time, std::span<const double> sheet, std::span<const double> vorticity) {
@@ -104,14 +136,14 @@ void RunFiles::wall(double time, std::span<const double> sheet, std::span<const 
   for (std::size_t i = 0; i < flow_.wall->panels(); ++i) {
     const vortex::Vec2 d = flow_.wall->middle(i);
     const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
-    wall_->row(std::array{time, T, angle, vorticity[i], sheet[i]});
+    tables_.row(RunTables::other, std::array{time, T, angle, vorticity[i], sheet[i]});
   }
 }
 
 void RunFiles::energy(double time, const vortex::Blobs& blobs) {
   if (blobs.size() > most_for_energy) return;
   const vortex::Energy now = vortex::energy(blobs);
-  energy_->row(std::array{time, now.energy, now.enstrophy});
+  tables_.row(RunTables::other, std::array{time, now.energy, now.enstrophy});
 }
 
 }  // namespace vortree::app

@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "app/convergence.hpp"
 #include "app/places.hpp"
 #include "app/plot.hpp"
+#include "app/say.hpp"
 #include "bench/provenance.hpp"
+#include "io/files.hpp"
 #include "io/input_error.hpp"
 #include "io/table.hpp"
 
@@ -178,7 +180,7 @@ std::string cell(const std::string& word) {
 
 void write_csv(const fs::path& file, const RunOptions& options, const SweepPlan& plan,
                std::span<const Member> members) {
-  std::ofstream out(file);
+  std::ostringstream out;
   const std::vector<std::string> errors = errors_of(members);
   out << fmt::format("# scene: {} {}\n", options.scene, fmt::join(plan.fixed, " "));
   for (const std::string& line : bench::provenance()) out << "# " << line << "\n";
@@ -194,7 +196,7 @@ void write_csv(const fs::path& file, const RunOptions& options, const SweepPlan&
     for (const std::string& what : errors) out << fmt::format(",{}", reached(m, what));
     out << "\n";
   }
-  if (!out.flush()) throw std::runtime_error(fmt::format("{} cannot be written", file.string()));
+  io::write_text(file, out.str());
 }
 
 }  // namespace
@@ -224,14 +226,13 @@ int sweep(const RunOptions& options, const SweepPlan& plan) {
   bool all_ran = true;
   std::size_t done = 0;
   for (Member& m : members) {
-    fmt::print(stderr, "vortree: run {} of {}: {}\n", done + 1, members.size(),
-               fmt::join(overrides_of(plan, m), " "));
+    say("run {} of {}: {}", done + 1, members.size(), fmt::join(overrides_of(plan, m), " "));
     try {
       m.result = run(options_of(options, plan, m));
       if (!m.result.finished) return 1;
       m.ran = true;
     } catch (const std::runtime_error& broken) {
-      fmt::print(stderr, "vortree: {}\n", broken.what());
+      say("{}", broken.what());
     }
     all_ran = all_ran && m.ran;
     write_csv(options.out / "sweep.csv", options, plan, std::span(members).first(++done));

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "io/checksum.hpp"
 #include "io/files.hpp"
 #include "io/hdf5.hpp"
 #include "io/mended.hpp"
@@ -38,6 +40,15 @@ void require_sizes(const Field& field) {
   }
 }
 
+std::uint64_t checksum(const Field& field) {
+  Checksum sum;
+  sum.add(field.time);
+  sum.add(field.x);
+  sum.add(field.y);
+  for (const auto& [name, grid] : grids) sum.add(field.*grid);
+  return sum.value();
+}
+
 void write_field(hid_t file, const Field& field) {
   h5::append_group(file, field_name(field.time), [&](hid_t group) {
     h5::write(group, "x", field.x);
@@ -46,6 +57,7 @@ void write_field(hid_t file, const Field& field) {
       h5::write_grid(group, name, field.*grid, field.y.size(), field.x.size());
     }
     h5::write_attribute(group, "time", field.time);
+    h5::write_attribute(group, "checksum", checksum(field));
   });
 }
 
@@ -56,12 +68,19 @@ Field read_group(hid_t file, const std::string& name) {
   field.x = h5::read(group, "x");
   field.y = h5::read(group, "y");
   for (const auto& [column, grid] : grids) field.*grid = h5::read(group, column);
+  // Fields of earlier versions have none.
+  if (h5::has_attribute(group, "checksum") &&
+      h5::read_unsigned(group, "checksum") != checksum(field)) {
+    throw h5::Failure(name + " does not agree with its checksum");
+  }
   return field;
 }
 
-/// The fields that can be read, by ascending time.
-std::vector<std::pair<double, std::string>> list(hid_t file) {
-  std::vector<std::pair<double, std::string>> found;
+using NamedTimes = std::vector<std::pair<double, std::string>>;
+
+/// The fields whose time can be read, ascending.
+NamedTimes list(hid_t file) {
+  NamedTimes found;
   for (const auto& [index, name] : h5::links(file)) {
     try {
       const h5::Handle group = h5::own(H5Gopen2(file, name.c_str(), H5P_DEFAULT), name);
@@ -74,13 +93,31 @@ std::vector<std::pair<double, std::string>> list(hid_t file) {
   return found;
 }
 
+std::optional<Field> read_if_good(hid_t file, const std::string& name) {
+  try {
+    return read_group(file, name);
+  } catch (const h5::NoRoom&) {
+    throw;
+  } catch (const h5::Failure&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 void append_field(const fs::path& dir, const Field& field) {
   require_sizes(field);
   const fs::path path = fields_path(dir);
   try {
-    h5::Handle file = fs::exists(path) ? h5::open_file(path, H5F_ACC_RDWR) : h5::create_file(path);
+    if (!fs::exists(path)) {
+      h5::replace_file(path, [&](const fs::path& fresh) {
+        h5::Handle file = h5::create_file(fresh);
+        write_field(file, field);
+        h5::close_file(std::move(file), fresh);
+      });
+      return;
+    }
+    h5::Handle file = h5::open_file(path, H5F_ACC_RDWR);
     if (h5::has(file, field_name(field.time))) {
       throw std::invalid_argument(
           fmt::format("{} has a field of t = {} already", path.string(), field.time));
@@ -114,24 +151,23 @@ Field read_field(const fs::path& dir, double time) {
   }
 }
 
-void rewind_fields(const fs::path& dir, double time) {
+std::vector<double> rewind_fields(const fs::path& dir, double time) {
   const fs::path path = fields_path(dir);
-  if (!fs::exists(path)) return;
+  std::vector<double> kept;
+  if (!fs::exists(path)) return kept;
   const MendedFile mended = open_mended(path);
-  replace_file(path, [&](const fs::path& fresh) {
+  h5::replace_file(path, [&](const fs::path& fresh) {
     h5::Handle healthy = h5::create_file(fresh);
-    if (mended.file >= 0) {
-      for (const auto& [at, name] : list(mended.file)) {
-        if (at > time) break;
-        try {
-          write_field(healthy, read_group(mended.file, name));
-        } catch (const h5::Failure&) {
-          continue;
-        }
-      }
+    for (const auto& [at, name] : mended.file >= 0 ? list(mended.file) : NamedTimes{}) {
+      if (at > time) break;
+      const auto field = read_if_good(mended.file, name);
+      if (!field) continue;
+      write_field(healthy, *field);
+      kept.push_back(field->time);
     }
     h5::close_file(std::move(healthy), fresh);
   });
+  return kept;
 }
 
 }  // namespace vortree::io

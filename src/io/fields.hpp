@@ -16,7 +16,8 @@ struct Field {
   bool operator==(const Field&) const = default;
 };
 
-/// Adds the group `field_<time>` to DIR/fields.h5 (made if need be).
+/// Adds the group `field_<time>` with its checksum to DIR/fields.h5 (made if need be), and forces
+/// it to the disk.
 ///
 /// throws  std::invalid_argument if the sizes do not fit together or there is a field of that time,
 ///         std::runtime_error if it cannot be written
@@ -30,7 +31,11 @@ void append_field(const std::filesystem::path& dir, const Field&);
 [[nodiscard]] Field read_field(const std::filesystem::path& dir, double time);
 
 /// Drops the fields later than `time` (a resumed run will make them again) and those that cannot be
-/// read; the file takes the place of the old one in one rename. Does nothing without a file.
-void rewind_fields(const std::filesystem::path& dir, double time);
+/// read or contradict their checksum; the file takes the place of the old one in one rename. Does
+/// nothing without a file.
+///
+/// returns  the times of the fields that are kept, ascending
+/// throws   std::runtime_error if the file cannot be written
+std::vector<double> rewind_fields(const std::filesystem::path& dir, double time);
 
 }  // namespace vortree::io

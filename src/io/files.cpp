@@ -2,14 +2,15 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <stdexcept>
 
 #include "io/input_error.hpp"
+#include "io/part_file.hpp"
 
 namespace vortree::io {
 namespace fs = std::filesystem;
@@ -18,16 +19,40 @@ namespace {
 
 constexpr std::size_t longest_text = std::size_t{1} << 30;
 
-/// Beside the file, so that a rename can put it in its place; no other process has that name.
-fs::path fresh_name(const fs::path& path) {
-  return path.string() + fmt::format(".{}.part", ::getpid());
+[[noreturn]] void refuse(const fs::path& path, std::string_view words) {
+  throw InputError(fmt::format("{} {}", path.string(), words));
 }
+
+std::string_view kind_of(const struct stat& found) {
+  if (S_ISDIR(found.st_mode)) return "a folder";
+  if (S_ISFIFO(found.st_mode)) return "a pipe";
+  if (S_ISSOCK(found.st_mode)) return "a socket";
+  return "a device";
+}
+
+void write_text(const fs::path& path, std::string_view text, PartFile::Until until) {
+  PartFile part(path, PartFile::Name::none);
+  write_whole(part.descriptor(), text, path);
+  part.put_in_place(until);
+}
+
+}  // namespace
 
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-}  // namespace
+fs::path target_of(const fs::path& path) {
+  constexpr int most_links = 40;  // as the system
+  fs::path at = path;
+  for (int k = 0; k < most_links; ++k) {
+    std::error_code no_link;
+    const fs::path to = fs::read_symlink(at, no_link);
+    if (no_link) return at;
+    at = folder_of(at) / to;  // an absolute `to` replaces all
+  }
+  refuse(path, "is a link that leads to itself");
+}
 
 void require_file(const fs::path& path) {
   std::error_code error;
@@ -69,43 +94,56 @@ std::string read_text(const fs::path& path) {
   return text;
 }
 
-void require_writable(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_directory(path, error)) {
-    throw InputError(fmt::format("{} is a folder; a file was expected", path.string()));
+void require_replaceable(const fs::path& path, std::span<const fs::path> inputs) {
+  if (path.empty()) throw InputError("an output needs a name; an empty one was given");
+  struct stat found = {}, input = {};
+  if (::stat(path.c_str(), &found) != 0) return;
+  if (!S_ISREG(found.st_mode)) {
+    refuse(path, fmt::format("is {}; a file was expected", kind_of(found)));
   }
+  for (const fs::path& read : inputs) {
+    const bool there = ::stat(read.c_str(), &input) == 0;
+    if (there && input.st_ino == found.st_ino && input.st_dev == found.st_dev) {
+      refuse(path, fmt::format("is the input {}; the output would destroy it", read.string()));
+    }
+  }
+  if (::access(path.c_str(), W_OK) != 0) {
+    refuse(path, fmt::format("cannot be written: {}", std::strerror(errno)));
+  }
+}
+
+void require_writable(const fs::path& path, std::span<const fs::path> inputs) {
+  require_replaceable(path, inputs);
   // Rights, quotas and file systems that cannot be written: only an attempt knows them all.
-  const fs::path trial = fresh_name(path);
-  const int descriptor = ::open(trial.c_str(), O_WRONLY | O_CREAT, 0666);
-  if (descriptor < 0) {
-    throw InputError(fmt::format("{} cannot be written in the folder {}: {}", path.string(),
-                                 folder_of(path).string(), std::strerror(errno)));
-  }
-  ::close(descriptor);
-  fs::remove(trial, error);
+  const PartFile attempt(path, PartFile::Name::none);
 }
 
 void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
-  const fs::path fresh = fresh_name(path);
-  try {
-    write(fresh);
-    fs::rename(fresh, path);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(fresh, ignored);
-    throw;
-  }
+  PartFile part(path, PartFile::Name::needed);
+  write(part.path());
+  part.put_in_place();
 }
 
 void write_text(const fs::path& path, std::string_view text) {
-  replace_file(path, [&](const fs::path& fresh) {
-    std::ofstream out(fresh, std::ios::binary);
-    out << text << std::flush;
-    if (!out) {
-      throw std::runtime_error(
-          fmt::format("{} cannot be written: {}", path.string(), std::strerror(errno)));
-    }
-  });
+  write_text(path, text, PartFile::Until::on_disk);
+}
+
+void write_derived_text(const fs::path& path, std::string_view text) {
+  write_text(path, text, PartFile::Until::with_system);
+}
+
+void remove_file(const fs::path& path) {
+  require_replaceable(path);
+  const fs::path target = target_of(path);
+  if (::unlink(target.c_str()) == 0) return force_folder(folder_of(target));
+  if (errno != ENOENT) refuse(path, fmt::format("cannot be removed: {}", std::strerror(errno)));
+}
+
+Descriptor open_to_append(const fs::path& path) {
+  require_replaceable(path);
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  if (file < 0) refuse(path, fmt::format("cannot be written: {}", std::strerror(errno)));
+  return file;
 }
 
 }  // namespace vortree::io

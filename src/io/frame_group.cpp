@@ -57,8 +57,9 @@ std::vector<FramePlace> frame_places(hid_t file) {
 void write_frame(hid_t file, const Frame& frame) {
   h5::append_group(file, frame_name(frame.step), [&](hid_t group) {
     for (const auto& [name, column] : frame_columns) h5::write(group, name, frame.*column);
-    const h5::Handle state = h5::create_group(group, "state");
+    h5::Handle state = h5::create_group(group, "state");
     for (const auto& [name, values] : frame.state) h5::write(state, name, values);
+    h5::close(std::move(state), "state");
     h5::write_attribute(group, "step", frame.step);
     h5::write_attribute(group, "time", frame.time);
     h5::write_attribute(group, "checksum", checksum(frame));

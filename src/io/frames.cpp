@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 #include "io/files.hpp"
@@ -37,16 +38,26 @@ void refresh_xdmf(const fs::path& dir) {
   const h5::Handle file = h5::open_file(frames_path(dir));
   std::vector<FrameLabel> labels;
   for (const FramePlace& place : frame_places(file)) labels.push_back(read_label(file, place));
-  write_text(xdmf_path(dir), xdmf_text("frames.h5", labels));
+  write_derived_text(xdmf_path(dir), xdmf_text("frames.h5", labels));
 }
 
 void continue_xdmf(const fs::path& dir, const Frame& frame) {
   const FrameLabel label{.step = frame.step, .time = frame.time, .blobs = frame.x.size()};
   std::string page = fs::exists(xdmf_path(dir)) ? read_text(xdmf_path(dir)) : "";
   if (add_to_xdmf(page, "frames.h5", label)) {
-    write_text(xdmf_path(dir), page);
+    write_derived_text(xdmf_path(dir), page);
   } else {
     refresh_xdmf(dir);
+  }
+}
+
+std::optional<Frame> read_if_good(hid_t file, const FramePlace& place) {
+  try {
+    return read_frame(file, place);
+  } catch (const h5::NoRoom&) {
+    throw;  // not the frame's fault: it must not be dropped
+  } catch (const h5::Failure&) {
+    return std::nullopt;
   }
 }
 
@@ -55,13 +66,10 @@ RecoveredFrames take_stock(hid_t file) {
   RecoveredFrames found;
   const std::vector<FramePlace> places = frame_places(file);
   for (auto place = places.rbegin(); place != places.rend(); ++place) {
-    try {
-      Frame frame = read_frame(file, *place);
-      found.steps.push_back(frame.step);
-      if (!found.last) found.last = std::move(frame);
-    } catch (const h5::Failure&) {
-      continue;
-    }
+    std::optional<Frame> frame = read_if_good(file, *place);
+    if (!frame) continue;
+    found.steps.push_back(frame->step);
+    if (!found.last) found.last = std::move(frame);
   }
   std::reverse(found.steps.begin(), found.steps.end());
   return found;
@@ -109,8 +117,9 @@ void create_frames(const fs::path& dir, const RunInfo& info) {
   std::error_code error;
   fs::create_directories(dir, error);
   require_writable(frames_path(dir));
-  replace_file(frames_path(dir), [&](const fs::path& fresh) { write_empty_frames(fresh, info); });
-  write_text(xdmf_path(dir), xdmf_text("frames.h5", {}));
+  h5::replace_file(frames_path(dir),
+                   [&](const fs::path& fresh) { write_empty_frames(fresh, info); });
+  write_derived_text(xdmf_path(dir), xdmf_text("frames.h5", {}));
 }
 
 void append_frame(const fs::path& dir, const Frame& frame) {
@@ -140,24 +149,27 @@ RecoveredFrames read_last_good(const fs::path& path) {
   return found;
 }
 
+void visit_frames(const fs::path& path, std::int64_t step,
+                  const std::function<void(const Frame&)>& visit) {
+  const MendedFile opened = open_mended(path);
+  if (opened.file < 0) return;
+  for (const FramePlace& place : frame_places(opened.file)) {
+    if (place.step > step) break;
+    if (const auto frame = read_if_good(opened.file, place)) visit(*frame);
+  }
+}
+
 void rewind_frames(const fs::path& dir, std::int64_t step) {
   const fs::path path = frames_path(dir);
-  const MendedFile opened = open_mended(path);
-  const RunInfo info = info_of(path, opened);
-  const auto places = opened.file >= 0 ? frame_places(opened.file) : std::vector<FramePlace>{};
-  replace_file(path, [&](const fs::path& fresh) {
+  const RunInfo info = info_of(path, open_mended(path));
+  h5::replace_file(path, [&](const fs::path& fresh) {
     write_empty_frames(fresh, info);
     h5::Handle healthy = h5::open_file(fresh, H5F_ACC_RDWR);
     bool met = false;
-    for (const FramePlace& place : places) {
-      if (place.step > step) break;
-      try {
-        write_frame(healthy, read_frame(opened.file, place));
-      } catch (const h5::Failure&) {
-        continue;
-      }
-      met = place.step == step;
-    }
+    visit_frames(path, step, [&](const Frame& frame) {
+      write_frame(healthy, frame);
+      met = frame.step == step;
+    });
     if (!met) {
       throw std::invalid_argument(
           fmt::format("{} has no good frame of step {}", path.string(), step));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -72,11 +73,17 @@ struct RecoveredFrames {
 ///         error: `warning` tells it and `last` may be empty
 [[nodiscard]] RecoveredFrames read_last_good(const std::filesystem::path& file);
 
+/// Shows the good frames of a file, healthy or not, up to and including `step`, by ascending step.
+/// throws  InputError as read_last_good
+void visit_frames(const std::filesystem::path& file, std::int64_t step,
+                  const std::function<void(const Frame&)>& visit);
+
 /// Makes DIR/frames.h5 healthy again and ready to continue behind `step`: keeps the good frames up
 /// to and including it, drops the rest. The new file takes the place of the old one in one rename.
 /// frames.xdmf follows.
 ///
-/// throws  std::invalid_argument if there is no good frame `step`
+/// throws  std::invalid_argument if there is no good frame `step`, std::runtime_error if the new
+///         file cannot be written
 void rewind_frames(const std::filesystem::path& dir, std::int64_t step);
 
 }  // namespace vortree::io

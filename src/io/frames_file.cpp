@@ -30,7 +30,7 @@ h5::Handle roomy_root() {
 /// The dimension of each column. As the first link of the root it also fixes the place of the table
 /// of names before any frame.
 void write_units(hid_t file) {
-  const h5::Handle units = h5::create_group(file, "units");
+  h5::Handle units = h5::create_group(file, "units");
   const std::array<std::pair<const char*, const char*>, 7> dimensions{{{"x", "L"},
                                                                        {"y", "L"},
                                                                        {"sigma", "L"},
@@ -41,6 +41,7 @@ void write_units(hid_t file) {
   for (const auto& [name, dimension] : dimensions) {
     h5::write_attribute(units, name, std::string(dimension));
   }
+  h5::close(std::move(units), "units");
 }
 
 void require_short(const RunInfo& info, std::string_view what, std::string_view text) {

@@ -6,14 +6,34 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <new>
 
+#include "io/files.hpp"
 #include "io/hdf5_inside.hpp"
 
 namespace vortree::io::h5 {
 namespace {
 
 constexpr hsize_t bytes_of_a_link = 8;  // at the least: the address of what it leads to
+
+extern "C" herr_t find_reason(unsigned, const H5E_error2_t* error, void* found) {
+  const std::string_view words = error->desc == nullptr ? "" : error->desc;
+  constexpr std::string_view mark = "error message = '";
+  const std::size_t from = words.find(mark);
+  if (from == std::string_view::npos) return 0;
+  const std::string_view reason = words.substr(from + mark.size());
+  *static_cast<std::string*>(found) = ": " + std::string(reason.substr(0, reason.find('\'')));
+  return 1;
+}
+
+/// ": No space left on device", or nothing if it was not the system that refused.
+std::string reason() {
+  std::string found;
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, find_reason, &found);
+  return found;
+}
 
 // HDF5 keeps the switch for each thread, so it is thrown with every file, not once.
 void silence() {
@@ -38,10 +58,12 @@ void write_values(hid_t place, const std::string& name, hid_t type, const void* 
                   std::span<const hsize_t> shape) {
   const Handle space = own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                            "a data space could not be made");
-  const Handle set = own(
+  Handle set = own(
       H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), name);
-  if (values == nullptr) return;  // no values: HDF5 takes no empty buffer
-  check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+  if (values != nullptr) {  // no values: HDF5 takes no empty buffer
+    check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+  }
+  close(std::move(set), name);
 }
 
 template <class T>
@@ -53,9 +75,10 @@ void write_line(hid_t place, const std::string& name, hid_t type, std::span<cons
 void write_scalar(hid_t object, const std::string& name, hid_t type, const void* value) {
   if (has_attribute(object, name)) check(H5Adelete(object, name.c_str()), name);
   const Handle space = own(H5Screate(H5S_SCALAR), name);
-  const Handle attribute =
+  Handle attribute =
       own(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), name);
   check(H5Awrite(attribute, type, value), name);
+  close(std::move(attribute), name);
 }
 
 Handle open_scalar(hid_t object, const std::string& name) {
@@ -76,12 +99,16 @@ T read_number(hid_t object, const std::string& name, hid_t type) {
 }  // namespace
 
 Handle own(hid_t id, std::string_view what) {
-  if (id < 0) throw Failure(std::string(what));
+  if (id < 0) throw Failure(std::string(what) + reason());
   return Handle(id);
 }
 
 void check(herr_t status, std::string_view what) {
-  if (status < 0) throw Failure(std::string(what));
+  if (status < 0) throw Failure(std::string(what) + reason());
+}
+
+void close(Handle handle, std::string_view what) {
+  if (!handle.close()) throw Failure(std::string(what) + reason());
 }
 
 bool is_hdf5(const std::filesystem::path& path) {
@@ -104,12 +131,26 @@ Handle create_file(const std::filesystem::path& path, hid_t creation) {
 }
 
 void close_file(Handle file, const std::filesystem::path& path) {
-  const bool flushed = H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
-  if (!file.close() || !flushed) throw Failure(path.string() + " cannot be written to the end");
+  const std::string what = path.string() + " cannot be written to the end";
+  check(H5Fflush(file, H5F_SCOPE_GLOBAL), what);
+  close(std::move(file), what);
   const int descriptor = ::open(path.c_str(), O_RDONLY);
   const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
   if (descriptor >= 0) ::close(descriptor);
-  if (!synced) throw Failure(path.string() + " cannot be forced to the disk");
+  if (!synced) {
+    throw Failure(
+        fmt::format("{} cannot be forced to the disk: {}", path.string(), std::strerror(errno)));
+  }
+}
+
+void replace_file(const std::filesystem::path& path,
+                  const std::function<void(const std::filesystem::path&)>& write) {
+  try {
+    io::replace_file(path, write);
+  } catch (const Failure& failure) {
+    throw std::runtime_error(
+        fmt::format("{} cannot be written ({})", path.string(), failure.what()));
+  }
 }
 
 Handle create_group(hid_t place, const std::string& name) {
@@ -117,10 +158,11 @@ Handle create_group(hid_t place, const std::string& name) {
 }
 
 void append_group(hid_t file, const std::string& name, const std::function<void(hid_t)>& fill) {
-  const Handle group = own(H5Gcreate_anon(file, small_group(), H5P_DEFAULT), name);
+  Handle group = own(H5Gcreate_anon(file, small_group(), H5P_DEFAULT), name);
   fill(group);
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), name);
   check(H5Olink(group, file, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), name);
+  close(std::move(group), name);
 }
 
 bool has(hid_t place, const std::string& name) {
@@ -180,7 +222,7 @@ std::vector<double> read_dataset(hid_t set, const std::string& name) {
   try {
     values.resize(count);
   } catch (const std::bad_alloc&) {
-    throw Failure(fmt::format("{} has {} numbers, for which there is no memory", name, count));
+    throw NoRoom(fmt::format("{} has {} numbers, for which there is no memory", name, count));
   }
   if (values.empty()) return values;
   if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {

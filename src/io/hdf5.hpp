@@ -13,14 +13,21 @@
 #include <vector>
 
 // Small owning handles over the HDF5 C API, and the few reads and writes that this program needs.
-// HDF5's own printing of its error stack is switched off; a failed call throws h5::Failure, which
-// the callers turn into a sentence about their file.
+// HDF5's own printing of its error stack is switched off; a failed call throws h5::Failure, with
+// the words of the system if that refused it, which the callers turn into a sentence about their
+// file.
 
 namespace vortree::io::h5 {
 
 class Failure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// There is no memory for what is to be read: says nothing against the file.
+class NoRoom : public Failure {
+ public:
+  using Failure::Failure;
 };
 
 /// Owns one identifier of any kind (file, group, dataset, space, type, attribute, property list).
@@ -53,6 +60,11 @@ class Handle {
 /// throws Failure(what) if the call failed
 void check(herr_t status, std::string_view what);
 
+/// Gives an identifier back, which may be when HDF5 writes what it stands for. Whoever wrote
+/// through a handle ends with this: a destructor could not say that the writing failed.
+/// throws Failure(what)
+void close(Handle, std::string_view what);
+
 [[nodiscard]] bool is_hdf5(const std::filesystem::path&);
 
 /// Opens a file. throws Failure if it is not HDF5 or cannot be opened.
@@ -64,12 +76,18 @@ void check(herr_t status, std::string_view what);
 /// Flushes, closes and forces to the disk. throws Failure: what was written is not safe.
 void close_file(Handle, const std::filesystem::path&);
 
+/// As vortree::io::replace_file for what `write` makes with HDF5.
+/// throws std::runtime_error with the name of the file, if it fails
+void replace_file(const std::filesystem::path&,
+                  const std::function<void(const std::filesystem::path&)>& write);
+
 /// A group that keeps its links in its own header, whatever the symbol tables of the file are made
 /// for: those of a frames file hold thousands of links, which would be a waste in a small group.
 [[nodiscard]] Handle create_group(hid_t place, const std::string& name);
 
 /// Adds such a group to a file: filled first, then flushed, and only then linked by its name. A
-/// process killed on the way leaves a file without the group, not a file with half of it.
+/// process killed on the way leaves a file without the group, not a file with half of it; a power
+/// failure may leave half of it, which its checksum tells.
 void append_group(hid_t file, const std::string& name, const std::function<void(hid_t)>& fill);
 
 [[nodiscard]] bool has(hid_t place, const std::string& name);

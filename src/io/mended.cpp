@@ -1,7 +1,6 @@
 #include "io/mended.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,9 +9,9 @@
 #include <fstream>
 #include <optional>
 #include <string_view>
-#include <tuple>
 
 #include "io/files.hpp"
+#include "io/part_file.hpp"
 
 namespace vortree::io {
 namespace {
@@ -40,17 +39,17 @@ std::optional<std::uint64_t> promised_bytes(const fs::path& path) {
   return bytes;
 }
 
-/// A copy beside the file, or where the system keeps such things.
+/// Puts a copy beside the file, or where the system keeps such things.
 /// throws  std::runtime_error if there is no room for it
-std::pair<TemporaryFile, fs::path> copied(const fs::path& path) {
+void copy(const fs::path& path, std::optional<PartFile>& copied) {
   std::error_code error;
-  const std::string name = fmt::format("{}.{}.mended", path.filename().string(), ::getpid());
-  for (const fs::path& folder : {path.parent_path(), fs::temp_directory_path(error)}) {
-    const fs::path copy = folder / name;
-    TemporaryFile guard(copy);
-    if (!fs::copy_file(path, copy, fs::copy_options::overwrite_existing, error)) continue;
-    fs::permissions(copy, fs::perms::owner_write, fs::perm_options::add, error);
-    return {std::move(guard), copy};
+  for (const fs::path& place : {path, fs::temp_directory_path(error) / path.filename()}) {
+    try {
+      copied.emplace(place, PartFile::Name::needed);
+    } catch (const std::runtime_error&) {
+      continue;  // no right to write there
+    }
+    if (fs::copy_file(path, copied->path(), fs::copy_options::overwrite_existing, error)) return;
   }
   throw std::runtime_error(fmt::format("{} is cut short, and there is no room for a copy: {}",
                                        path.string(), error.message()));
@@ -58,24 +57,21 @@ std::pair<TemporaryFile, fs::path> copied(const fs::path& path) {
 
 }  // namespace
 
-TemporaryFile::~TemporaryFile() {
-  std::error_code ignored;
-  if (!path_.empty()) fs::remove(path_, ignored);
-}
-
 MendedFile open_mended(const fs::path& path) {
   require_regular_file(path);
   const auto promised = promised_bytes(path);
   const std::uint64_t bytes = fs::file_size(path);
   MendedFile opened;
   fs::path readable = path;
+  std::optional<PartFile> copied;
   if (!promised) {
     opened.wound = fmt::format("is cut short at byte {}", bytes);
     return opened;
   }
   if (bytes < *promised) {
     opened.wound = fmt::format("is cut short at byte {} of {}", bytes, *promised);
-    std::tie(opened.copy, readable) = copied(path);
+    copy(path, copied);
+    readable = copied->path();
     std::error_code error;
     fs::resize_file(readable, *promised, error);
     if (error) {

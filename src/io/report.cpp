@@ -1,71 +1,82 @@
 #include "io/report.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
-#include <utility>
 
 #include "io/files.hpp"
-#include "io/table.hpp"
 
 namespace vortree::io {
 namespace {
 
-/// The text up to the last row that was written to its end and is not later than `until`.
-std::string rows_until(std::string_view text, double until) {
-  std::string kept;
-  bool header = true;
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) break;
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end + 1);
-    if (!header) {
-      const auto time = number(line.substr(0, line.find(',')));
-      if (!time || *time > until) continue;
-    }
-    kept.append(line).append("\n");
-    header = false;
+namespace fs = std::filesystem;
+
+std::string joined(const std::vector<std::string>& columns) {
+  return fmt::format("{}", fmt::join(columns, ","));
+}
+
+/// Header and rows as text.
+std::string page(const std::vector<std::string>& columns, std::span<const double> rows) {
+  std::string text = joined(columns) + '\n';
+  for (; !rows.empty(); rows = rows.subspan(columns.size())) {
+    text += fmt::format("{}\n", fmt::join(rows.first(columns.size()), ","));
   }
-  return kept;
+  return text;
+}
+
+TableMark mark_of_page(std::string_view text) {
+  TableMark mark;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    mark.add(line);
+    text.remove_prefix(line.size() + 1);
+  }
+  return mark;
 }
 
 }  // namespace
 
-Report::Report(std::filesystem::path path, std::vector<std::string> columns)
+Report::Report(fs::path path, std::vector<std::string> columns)
+    : Report(std::move(path), std::move(columns), std::span<const double>{}) {}
+
+Report::Report(fs::path path, std::vector<std::string> columns, std::span<const double> rows)
     : path_(std::move(path)), columns_(std::move(columns)) {
+  if (rows.size() % columns_.size() != 0) {
+    throw std::invalid_argument(fmt::format("{}: {} values for rows of {} columns", path_.string(),
+                                            rows.size(), columns_.size()));
+  }
   require_writable(path_);
-  write_text(path_, fmt::format("{}\n", fmt::join(columns_, ",")));
-  open();
+  const std::string text = page(columns_, rows);
+  write_text(path_, text);
+  mark_ = mark_of_page(text);
+  file_ = open_to_append(path_);
 }
 
-Report::Report(Continue, std::filesystem::path path, std::vector<std::string> columns)
-    : path_(std::move(path)), columns_(std::move(columns)) {
-  open();
-}
-
-void Report::open() {
-  out_.open(path_, std::ios::app);
-  if (!out_) {
-    throw InputError(fmt::format("{} cannot be written: {}", path_.string(), std::strerror(errno)));
+Report::Report(fs::path path, std::vector<std::string> columns, const TableMark& mark)
+    : path_(std::move(path)), columns_(std::move(columns)), mark_(mark) {
+  file_ = open_to_append(path_);
+  if (::ftruncate(file_, static_cast<off_t>(mark_.bytes)) != 0) {
+    throw std::runtime_error(
+        fmt::format("{} cannot be shortened: {}", path_.string(), std::strerror(errno)));
   }
 }
 
-Report Report::resume(std::filesystem::path path, std::vector<std::string> columns, double until) {
-  const std::string text = std::filesystem::exists(path) ? read_text(path) : "";
-  const std::string kept = rows_until(text, until);
-  if (kept.empty()) return Report(std::move(path), std::move(columns));
-  const std::string header = fmt::format("{}", fmt::join(columns, ","));
-  const std::string found = kept.substr(0, kept.find('\n'));
-  if (found != header) {
+std::optional<Report> Report::resume(fs::path path, std::vector<std::string> columns,
+                                     const TableMark& mark) {
+  const std::string text = report_text(path);
+  if (!begins_with(text, mark)) return std::nullopt;
+  if (const std::string header = joined(columns), found = text.substr(0, text.find('\n'));
+      found != header) {
     throw InputError(fmt::format("{}:1: the columns are {}; a report with {} cannot go on there",
                                  path.string(), found, header));
   }
-  write_text(path, kept);
-  return Report(Continue{}, std::move(path), std::move(columns));
+  return Report(std::move(path), std::move(columns), mark);
 }
 
 void Report::row(std::span<const double> values) {
@@ -73,8 +84,39 @@ void Report::row(std::span<const double> values) {
     throw std::invalid_argument(fmt::format("{}: a row of {} values for {} columns", path_.string(),
                                             values.size(), columns_.size()));
   }
-  out_ << fmt::format("{}\n", fmt::join(values, ",")) << std::flush;
-  if (!out_) throw std::runtime_error(fmt::format("{} cannot be written", path_.string()));
+  const std::string line = fmt::format("{}", fmt::join(values, ","));
+  write_whole(file_, line + '\n', path_);
+  mark_.add(line);
+  since_.insert(since_.end(), values.begin(), values.end());
+  require_alone();
+}
+
+void Report::require_alone() const {
+  struct stat now = {};
+  if (::fstat(file_, &now) == 0 && now.st_nlink > 0 &&
+      static_cast<std::uint64_t>(now.st_size) == mark_.bytes) {
+    return;
+  }
+  throw std::runtime_error(
+      fmt::format("{} was {} by someone else while it was written; --resume makes it again",
+                  path_.string(), now.st_nlink == 0 ? "removed or replaced" : "changed"));
+}
+
+void Report::force() const {
+  require_alone();
+  io::force(file_, path_);
+}
+
+std::optional<TableMark> mark_of_rows(const std::vector<std::string>& columns,
+                                      std::span<const double> rows) {
+  if (rows.size() % columns.size() != 0) return std::nullopt;
+  return mark_of_page(page(columns, rows));
+}
+
+std::string report_text(const fs::path& path) {
+  if (!fs::exists(path)) return {};
+  require_regular_file(path);
+  return read_text(path);
 }
 
 }  // namespace vortree::io

@@ -45,32 +45,111 @@ TEST_CASE("every row of a report is in the file as soon as it is written") {
   CHECK(text_of(box / "report.csv") == "t,T,blobs\n0.5,1,500000\n");
 }
 
-TEST_CASE("a resumed report equals one that was never broken off") {
+TEST_CASE("a resumed report equals one that was never broken off, wherever it was cut") {
   const Sandbox box;
   const auto path = box / "report.csv";
-  std::string whole;
+  std::vector<TableMark> marks;
   {
     Report report(path, columns);
-    for (int step = 0; step <= 5; ++step) add(report, 0.1 * step);
-    whole = text_of(path);
+    marks.push_back(report.mark());
+    for (int step = 0; step <= 5; ++step) {
+      add(report, 0.1 * step);
+      marks.push_back(report.mark());
+    }
   }
-  const std::size_t cut = GENERATE(0, 5, 9, 10, 11, 13, 20, 35, 1000);
-  const int kept = GENERATE(-1, 0, 2, 5);
-  box.write("report.csv", whole.substr(0, cut));
-  // The frame resumed from is never later than the rows that were written after it.
-  const std::string lines = whole.substr(0, whole.substr(0, cut).rfind('\n') + 1);
-  const auto ends = static_cast<int>(std::count(lines.begin(), lines.end(), '\n'));
-  const int written = std::max(ends, 1) - 2;  // the last row; -1 if there is but the header
-  const int from = std::min(kept, written);
-  Report report = Report::resume(path, columns, 0.1 * from);
-  for (int step = from + 1; step <= 5; ++step) add(report, 0.1 * step);
-  CHECK(text_of(path) == whole);
+  const std::string whole = text_of(path);
+  const std::size_t from = GENERATE(0, 1, 3, 6);
+  for (std::size_t cut = 0; cut <= whole.size(); ++cut) {
+    box.write("report.csv", whole.substr(0, cut));
+    auto report = Report::resume(path, columns, marks[from]);
+    REQUIRE(report.has_value() == (cut >= marks[from].bytes));
+    if (!report) continue;
+    for (std::size_t step = from; step <= 5; ++step) {
+      add(*report, 0.1 * static_cast<double>(step));
+    }
+    REQUIRE(text_of(path) == whole);
+    CHECK(report->mark() == marks.back());
+  }
+}
+
+TEST_CASE("a report whose rows are missing, doubled, shuffled or altered does not go on") {
+  const Sandbox box;
+  const auto path = box / "report.csv";
+  const std::string header = "t,T,blobs\n", a = "0,0,0\n", b = "0.5,1,500000\n", c = "1,2,1e+06\n";
+  std::vector<double> rows;
+  TableMark mark;
+  {
+    Report report(path, columns);
+    for (const double t : {0.0, 0.5, 1.0}) add(report, t);
+    rows = report.take_rows();
+    CHECK(report.take_rows().empty());
+    mark = report.mark();
+  }
+  REQUIRE(text_of(path) == header + a + b + "1,2,1000000\n");
+  CHECK(mark.rows == 3);
+  CHECK(mark_of_rows(columns, rows) == mark);
+  const std::string last = "1,2,1000000\n";
+  for (const std::string& text :
+       {std::string(), header, header + a + last, header + a + b + b + last, header + b + a + last,
+        header + a + b + "1,2,1000001\n", header + a + b + c, a + b + last, header + a + b + "\n\n",
+        header + a + b + last.substr(0, 11) + " ", header + "0,0,0 " + b + last}) {
+    CAPTURE(text);
+    box.write("report.csv", text);
+    CHECK_FALSE(Report::resume(path, columns, mark));
+    CHECK(text_of(path) == text);
+  }
+  std::filesystem::remove(path);
+  CHECK_FALSE(Report::resume(path, columns, mark));
+  CHECK(Report(path, columns, rows).mark() == mark);
+  CHECK(text_of(path) == header + a + b + last);
+}
+
+TEST_CASE("a mark comes back from numbers, to the last bit") {
+  const TableMark mark{.rows = 7, .bytes = 1ULL << 40, .checksum = 0xfedcba9876543211ULL};
+  CHECK(mark_of(as_numbers(mark)) == mark);
+  CHECK_FALSE(mark_of(std::vector<double>{1, 2, 3}));
+  CHECK_FALSE(mark_of(std::vector<double>{1, 2, std::nan(""), 3}));
+}
+
+TEST_CASE("rows that nobody has marked are counted, one for each expected time") {
+  const std::vector<double> times{0.1, 0.2, 0.3};
+  const auto refused = [&](std::string_view text) {
+    return refusal([&] { (void)counted("r.csv", text, times); });
+  };
+  const std::string_view right = "t,c\n0.1,1\n0.2,2\n0.3,3\n0.4,4\n";
+  CHECK(counted("r.csv", right, times).rows == 3);
+  CHECK(begins_with(right, counted("r.csv", right, times)));
+  CHECK(refused("") == "r.csv:1: nothing; a line of names was expected");
+  CHECK(refused("t,c\n0.1,1\n0.3,3\n") ==
+        "r.csv:3: \"0.3,3\"; the row of t = 0.2 was expected");
+  CHECK(refused("t,c\n0.1,1\n0.1,1\n0.2,2\n0.3,3\n") ==
+        "r.csv:3: \"0.1,1\"; the row of t = 0.2 was expected");
+  CHECK(refused("t,c\n0.1,1\n0.2\n0.3,3\n") ==
+        "r.csv:3: \"0.2\"; the row of t = 0.2 was expected");
+  CHECK(refused("t,c\n0.1,1\n0.2,2\n0.3,3") ==
+        "r.csv:4: \"0.3,3\"; the row of t = 0.3 was expected");
+}
+
+TEST_CASE("a report that someone removes, replaces or changes meanwhile says so at once") {
+  const Sandbox box;
+  const auto path = box / "report.csv";
+  Report report(path, columns);
+  add(report, 0.5);
+  SECTION("removed") { std::filesystem::remove(path); }
+  SECTION("replaced") {
+    std::filesystem::rename(box.write("other.csv", text_of(path)), path);
+  }
+  SECTION("emptied") { box.write("report.csv", ""); }
+  SECTION("lengthened") { std::ofstream(path, std::ios::app) << "1,2,3\n"; }
+  CHECK_THROWS_WITH(add(report, 1), Catch::Matchers::Contains("by someone else"));
+  CHECK_THROWS_WITH(report.force(), Catch::Matchers::Contains("by someone else"));
 }
 
 TEST_CASE("a report does not go on under other columns") {
   const Sandbox box;
   const auto path = box.write("report.csv", "t,speed\n0,1\n");
-  CHECK(refusal([&] { (void)Report::resume(path, columns, 1); }) ==
+  const TableMark mark = counted(path, text_of(path), std::vector<double>{0});
+  CHECK(refusal([&] { (void)Report::resume(path, columns, mark); }) ==
         path.string() + ":1: the columns are t,speed; a report with t,T,blobs cannot go on there");
   CHECK(text_of(path) == "t,speed\n0,1\n");
 }
