@@ -7,6 +7,7 @@
 #include "app/advice.hpp"
 #include "app/places.hpp"
 #include "app/say.hpp"
+#include "io/quote.hpp"
 #include "io/scene.hpp"
 
 namespace vortree::app {
@@ -28,14 +29,14 @@ std::string list_cases() {
   for (const auto& scene : scenes) width = std::max(width, scene.stem().string().size());
   std::string lines;
   for (const auto& scene : scenes)
-    lines += fmt::format("{:<{}}  {}\n", scene.stem().string(), width, title(scene));
+    lines += fmt::format("{:<{}}  {}\n", io::printable(scene.stem().string()), width,
+                         io::printable(title(scene)));
   return lines;
 }
 
 std::string check(const std::string& scene, const std::vector<std::string>& overrides) {
   const io::Scene loaded = io::load_scene(find_scene(scene), overrides);
-  for (const std::string& doubt : doubts(loaded))
-    say("warning: {}", doubt);
+  for (const std::string& doubt : doubts(loaded)) say("warning: {}", doubt);
   return io::resolved(loaded);
 }
 

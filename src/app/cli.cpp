@@ -4,14 +4,21 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <exception>
+#include <filesystem>
+#include <limits>
 #include <map>
+#include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
+#include <type_traits>
 
 #include "app/bench.hpp"
 #include "app/check.hpp"
+#include "app/memory.hpp"
 #include "app/neighbors.hpp"
 #include "app/places.hpp"
 #include "app/plot.hpp"
@@ -19,7 +26,9 @@
 #include "app/say.hpp"
 #include "app/sweep.hpp"
 #include "app/velocity.hpp"
+#include "io/free_memory.hpp"
 #include "io/input_error.hpp"
+#include "io/quote.hpp"
 
 namespace vortree::app {
 namespace {
@@ -41,14 +50,48 @@ struct Words {
 
 int complain(std::string message, int code) {
   while (!message.empty() && message.back() == '\n') message.pop_back();
-  std::ranges::replace(message, '\n', ' ');
-  say("{}", message);
+  say_line(message);
   return code;
 }
 
+/// The number that all of a word says, if a T can hold it.
+template <class T>
+std::optional<T> number_in(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  T value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+/// Holds a word to what it must be before it is read as a T.
+template <class T, class Holds>
+CLI::Validator must_be(const std::string& wanted, Holds holds) {
+  return {[=](const std::string& word) {
+            const std::optional<T> value = number_in<T>(word);
+            if (value && holds(*value)) return std::string();
+            return fmt::format("{} is no {}", io::shortened(word, 40), wanted);
+          },
+          ""};
+}
+
+/// A whole number, ends included.
+template <class T>
+CLI::Validator within(T low, T high) {
+  return must_be<T>(fmt::format("whole number from {} to {}", low, high),
+                    [=](T value) { return low <= value && value <= high; });
+}
+
+/// A whole number, whose range the library knows.
+CLI::Validator whole() {
+  return must_be<int>("whole number of up to nine digits", [](int) { return true; });
+}
+
+constexpr int most_threads = 4096, most_repeats = 1000000;
+
 void add_threads(CLI::App& command, Words& words) {
   command.add_option("--threads", words.threads, "threads; all by default")
-      ->check(CLI::Range(1, 4096))
+      ->check(within(1, most_threads))
       ->type_name("N");
 }
 
@@ -56,8 +99,9 @@ void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& 
   command.add_option("SCENE", scene, "a TOML file, or the name of a case")->required();
   command.add_option("key=value", overrides, "instead of what the scene says: table.key=value")
       ->check([](const std::string& word) {
-        return word.find('=') == std::string::npos ? "expected table.key=value, not " + word
-                                                   : std::string();
+        return word.find('=') == std::string::npos
+                   ? "expected table.key=value, not " + io::shortened(word, 60)
+                   : std::string();
       })
       ->type_name("");
 }
@@ -93,6 +137,7 @@ void add_velocity(CLI::App& program, Words& words) {
       ->required();
   command.add_option("--out", job.out, "HDF5 file for u, v")->required()->type_name("FILE");
   command.add_option("--tolerance", job.options.tolerance, "relative L2 error that may be made")
+      ->check(must_be<double>("number between 0 and 1", [](double t) { return t > 0 && t < 1; }))
       ->type_name("REAL")
       ->capture_default_str();
   command.add_option("--method", job.method, "how to sum")
@@ -109,20 +154,23 @@ void add_velocity(CLI::App& program, Words& words) {
       ->type_name("FILE");
   command
       .add_option("--order", job.options.order, "terms of an expansion; 0: as the tolerance needs")
+      ->check(whole())
       ->type_name("P")
       ->capture_default_str();
   command
       .add_option("--capacity", job.options.capacity,
                   "most vortices in a childless cell; 0: chosen")
+      ->check(within<std::uint32_t>(0, std::numeric_limits<std::uint32_t>::max()))
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--level", job.options.finest_level, "finest level of the tree")
+      ->check(whole())
       ->type_name("L")
       ->capture_default_str();
   command.add_flag("--verify", job.verify,
                    "compare with a direct sum in long double at 1000 random targets");
   command.add_option("--repeat", job.repeat, "sum so many times, report median times")
-      ->check(CLI::Range(1, 1000000))
+      ->check(within(1, most_repeats))
       ->type_name("K")
       ->capture_default_str();
   add_threads(command, words);
@@ -155,7 +203,7 @@ void add_neighbors(CLI::App& program, Words& words) {
       ->capture_default_str();
   command.add_flag("--half", job.half, "list each pair once");
   command.add_option("--repeat", job.repeat, "search so many times, report median times")
-      ->check(CLI::Range(1, 1000000))
+      ->check(within(1, most_repeats))
       ->type_name("K")
       ->capture_default_str();
   add_threads(command, words);
@@ -175,12 +223,12 @@ void add_bench(CLI::App& program, Words& words) {
   command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes, not half an hour");
   command
       .add_option("--threads", words.bench.threads, "measured beside one thread; all by default")
-      ->check(CLI::Range(1, 4096))
+      ->check(within(1, most_threads))
       ->type_name("N");
   command
       .add_option("--largest", words.bench.largest,
                   "most points of a set; by default 4000000 (trees 10000000), quick 1000000")
-      ->check(CLI::Range(100, 100000000))
+      ->check(within<std::size_t>(100, 100000000))
       ->type_name("N");
   command
       .add_option("--blobs", words.bench.blobs,
@@ -189,7 +237,9 @@ void add_bench(CLI::App& program, Words& words) {
   command.footer("example: vortree bench velocity --quick --out quick");
 }
 
-void add_commands(CLI::App& program, Words& words) {
+std::unique_ptr<CLI::App> grammar(Words& words) {
+  auto made = std::make_unique<CLI::App>("Vortex and particle methods on one quadtree.", "vortree");
+  CLI::App& program = *made;
   program.set_version_flag("--version", "vortree " + version());
   program.require_subcommand(0, 1);
   program.add_subcommand("cases", "list the scenes that come with the program");
@@ -201,6 +251,7 @@ void add_commands(CLI::App& program, Words& words) {
   program.add_subcommand("plot", "draw the figures of a run or a bench into its folder")
       ->add_option("DIR", words.folder, "folder of a run or a bench")
       ->required();
+  return made;
 }
 
 int run_scene(RunOptions options, int threads) {
@@ -233,6 +284,28 @@ int carry_out(const CLI::App& program, const Words& words) {
   return done;
 }
 
+/// What the memory was wanted for, and how much of it there was.
+std::string out_of_memory(const CLI::App& program, const Words& words) {
+  const auto doing = [&]() -> std::string {
+    if (program.got_subcommand("velocity"))
+      return "the velocities of " + words.velocity.in.string();
+    if (program.got_subcommand("neighbors"))
+      return "the neighbors of " + words.neighbors.in.string();
+    if (program.got_subcommand("run")) return "the run of " + words.run.scene;
+    return program.got_subcommand("bench") ? "the bench of " + words.benched : "this command";
+  }();
+  return fmt::format("out of memory: {} took {:.2g} GB and needs more; {:.2g} GB are free", doing,
+                     1e-9 * static_cast<double>(peak_bytes()),
+                     1e-9 * static_cast<double>(io::free_memory()));
+}
+
+/// throws  CLI::ParseError: what is wrong, or that only help or the version was asked for
+void read(CLI::App& program, int argc, const char* const* argv) {
+  program.parse(argc, argv);
+  if (program.get_subcommands().empty())
+    throw CLI::RequiredError("no command given", CLI::ExitCodes::RequiredError);
+}
+
 // The command line of the command that was being read, for the hint behind a usage error.
 std::string help_of(const CLI::App& program) {
   const auto commands = program.get_subcommands();
@@ -242,24 +315,37 @@ std::string help_of(const CLI::App& program) {
 
 }  // namespace
 
-int command_line(int argc, char** argv) {
-  CLI::App program{"Vortex and particle methods on one quadtree.", "vortree"};
+std::optional<std::string> objection(int argc, const char* const* argv) {
   Words words;
+  const std::unique_ptr<CLI::App> program = grammar(words);
   try {
-    add_commands(program, words);
-    program.parse(argc, argv);
-    if (program.get_subcommands().empty())
-      return complain("no command given; vortree --help lists them", wrong_input);
-    return carry_out(program, words);
+    read(*program, argc, argv);
+    return std::nullopt;
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);
-    return complain(fmt::format("{}; see {}", error.what(), help_of(program)), wrong_input);
+    if (error.get_exit_code() == 0) return std::nullopt;
+    return fmt::format("{}; see {}", error.what(), help_of(*program));
+  }
+}
+
+int command_line(int argc, char** argv) {
+  Words words;
+  const std::unique_ptr<CLI::App> program = grammar(words);
+  try {
+    read(*program, argc, argv);
+    return carry_out(*program, words);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program->exit(error);
+    return complain(fmt::format("{}; see {}", error.what(), help_of(*program)), wrong_input);
   } catch (const io::InputError& error) {
     return complain(error.what(), wrong_input);
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), wrong_input);
   } catch (const std::bad_alloc&) {
-    return complain("out of memory", failed);
+    return complain(out_of_memory(*program, words), failed);
+  } catch (const std::length_error&) {
+    return complain(out_of_memory(*program, words), failed);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return complain(fmt::format("{}: {}", error.path1().string(), error.code().message()), failed);
   } catch (const std::exception& error) {
     return complain(error.what(), failed);
   }

@@ -23,6 +23,7 @@
 #include "app/timetable.hpp"
 #include "io/frames.hpp"
 #include "io/json.hpp"
+#include "io/quote.hpp"
 
 namespace vortree::app {
 namespace {
@@ -253,7 +254,7 @@ RunResult Run::finish() {
   fmt::print(
       "{} steps, {} blobs at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",
       step_, blobs_.size(), totals_.seconds, totals_.particle_steps / totals_.seconds / 1e6,
-      folder_.string());
+      io::printable(folder_.string()));
   fmt::print("{}\n", verdict_line(list));
   return {.finished = true,
           .verdicts = list,
@@ -282,8 +283,7 @@ bool RunResult::passed() const {
 
 RunResult run(const RunOptions& options) {
   io::Scene scene = scene_of(options);
-  for (const std::string& doubt : doubts(scene))
-    say("warning: {}", doubt);
+  for (const std::string& doubt : doubts(scene)) say("warning: {}", doubt);
   Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();
   return run.go();

@@ -48,6 +48,15 @@ std::string difference(const io::Scene& a, const io::Scene& b) {
   return a.seed != b.seed ? "seed" : "";
 }
 
+io::Scene stored_scene(const io::RunInfo& info, const fs::path& file, const fs::path& scene) {
+  try {
+    return io::parse_scene(info.resolved, scene);
+  } catch (const io::InputError& error) {
+    throw io::InputError(
+        fmt::format("{}: the scene stored in it is none: {}", file.string(), error.what()));
+  }
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const io::Scene& scene, const FlowCase& flow, fs::path folder)
@@ -66,9 +75,9 @@ void RunFiles::begin() {
 io::Frame RunFiles::last_frame() const {
   const fs::path file = folder_ / "frames.h5";
   io::RecoveredFrames found = io::read_last_good(file);
-  if (!found.warning.empty()) say("{}", found.warning);
+  if (!found.warning.empty()) say_line(found.warning);
   if (!found.last) throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));
-  const io::Scene was = io::parse_scene(found.info.resolved, scene_.origin.path);
+  const io::Scene was = stored_scene(found.info, file, scene_.origin.path);
   if (const std::string where = difference(was, scene_); !where.empty())
     throw io::InputError(
         fmt::format("{}: was run with another {} than {} has now; only time.end, "

@@ -2,16 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <string_view>
+#include <utility>
 
 namespace vortree::app {
 
-/// A line on standard error in the program's name. A terminal that is gone or a pipe that nobody
-/// reads must not end a run: what cannot be said is not said.
+/// A line on standard error, in the program's name. What a terminal would obey is shown as \xNN, what
+/// is longer than some 300 characters loses its middle: names, keys and values of the user stand in
+/// such lines. A terminal that is gone or a pipe that nobody reads must not end a run: what cannot
+/// be said is not said.
+void say_line(std::string_view sentence);
+
 template <class... Values>
 void say(fmt::format_string<Values...> words, Values&&... values) {
-  const std::string line = "vortree: " + fmt::format(words, std::forward<Values>(values)...) + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  say_line(fmt::format(words, std::forward<Values>(values)...));
 }
 
 }  // namespace vortree::app

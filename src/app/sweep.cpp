@@ -15,6 +15,7 @@
 #include "bench/provenance.hpp"
 #include "io/files.hpp"
 #include "io/input_error.hpp"
+#include "io/quote.hpp"
 #include "io/table.hpp"
 
 namespace vortree::app {
@@ -232,14 +233,14 @@ int sweep(const RunOptions& options, const SweepPlan& plan) {
       if (!m.result.finished) return 1;
       m.ran = true;
     } catch (const std::runtime_error& broken) {
-      say("{}", broken.what());
+      say_line(broken.what());
     }
     all_ran = all_ran && m.ran;
     write_csv(options.out / "sweep.csv", options, plan, std::span(members).first(++done));
   }
   fmt::print("{}", table(plan, members));
   plot(options.out);
-  fmt::print("results in {}\n", options.out.string());
+  fmt::print("results in {}\n", io::printable(options.out.string()));
   return all_ran ? 0 : 1;
 }
 

@@ -47,4 +47,13 @@ std::string listed(std::span<const std::string_view> words) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+std::string listed(std::span<const std::string_view> words, std::string_view near) {
+  constexpr std::size_t longest_list = 120, told = 5;
+  std::string all = listed(words);
+  if (all.size() <= longest_list) return all;
+  std::vector<std::string_view> sorted(words.begin(), words.end());
+  std::ranges::stable_sort(sorted, {}, [&](std::string_view word) { return slips(near, word); });
+  return fmt::format("{} and {} more", listed(std::span(sorted).first(told)), sorted.size() - told);
+}
+
 }  // namespace vortree::io

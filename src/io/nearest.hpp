@@ -14,4 +14,7 @@ namespace vortree::io {
 /// "a, b, c"
 [[nodiscard]] std::string listed(std::span<const std::string_view> words);
 
+/// The same, but of a list longer than a line only the words nearest to one: "a, b, c and 39 more".
+[[nodiscard]] std::string listed(std::span<const std::string_view> words, std::string_view near);
+
 }  // namespace vortree::io

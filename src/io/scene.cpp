@@ -26,7 +26,8 @@ void require_reference(const Document& document, const Scene& scene, std::string
   const std::filesystem::path path = reference_path(scene, *written);
   if (!std::filesystem::is_regular_file(path)) {
     document.refuse(
-        key, fmt::format("{} is {}; there is no file {}", key, quote(*written), path.string()));
+        key, fmt::format("{} is {}; there is no file {}", key, quote(shortened(*written, 60)),
+                         shortened(path.string(), 100)));
   }
 }
 

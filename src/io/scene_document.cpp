@@ -7,11 +7,25 @@
 #include <utility>
 
 #include "io/input_error.hpp"
+#include "io/quote.hpp"
+#include "io/toml_text.hpp"
 
 namespace vortree::io {
 namespace {
 
+/// An override as errors show it.
+std::string typed(std::string_view override) {
+  return "command line: " + shortened(override, 80);
+}
+
 toml::table parse_text(std::string_view text, const std::filesystem::path& path) {
+  if (text.size() > longest_scene) {
+    throw InputError(fmt::format("{} has {} bytes; a scene has {} at most", path.string(),
+                                 text.size(), longest_scene));
+  }
+  if (const auto bad = unfit_for_toml(text)) {
+    throw InputError(fmt::format("{}:{}: not TOML: {}", path.string(), bad->line, bad->words));
+  }
   try {
     return toml::parse(text, std::string_view());
   } catch (const toml::parse_error& error) {
@@ -33,14 +47,17 @@ bool is_bare_string(std::string_view text) {
 /// A table with the one key "value".
 toml::table parse_value(const std::string& override, std::string_view value) {
   if (value.empty()) {
-    throw InputError(fmt::format("command line: {}: there is no value behind the =", override));
+    throw InputError(typed(override) + ": there is no value behind the =");
+  }
+  if (override.size() > longest_scene) throw InputError(typed(override) + ": too long");
+  if (const auto bad = unfit_for_toml(value)) {
+    throw InputError(fmt::format("{}: not a TOML value: {}", typed(override), bad->words));
   }
   try {
     return toml::parse(fmt::format("value = {}", value), std::string_view());
   } catch (const toml::parse_error& error) {
     if (is_bare_string(value)) return toml::table{{"value", std::string(value)}};
-    throw InputError(
-        fmt::format("command line: {}: not a TOML value: {}", override, error.description()));
+    throw InputError(fmt::format("{}: not a TOML value: {}", typed(override), error.description()));
   }
 }
 
@@ -77,15 +94,14 @@ Document::Document(std::string_view text, std::filesystem::path path,
 
 void Document::lay_over(const std::string& override) {
   if (override.find('\n') != std::string::npos) {
-    throw InputError(fmt::format("command line: {}...: an override is one line",
-                                 override.substr(0, override.find('\n'))));
+    throw InputError(fmt::format("{}...: an override is one line",
+                                 typed(override.substr(0, override.find('\n')))));
   }
   const std::size_t equals = override.find('=');
   std::string key = override.substr(0, equals);
   key.erase(key.find_last_not_of(' ') + 1);
   if (equals == std::string::npos || key.empty()) {
-    throw InputError(
-        fmt::format("command line: {}: an override is written table.key=value", override));
+    throw InputError(typed(override) + ": an override is written table.key=value");
   }
   const toml::table value = parse_value(override, std::string_view(override).substr(equals + 1));
   overrides_[key] = override;
@@ -104,7 +120,7 @@ void Document::lay_over(const std::string& override) {
 
 std::string Document::place(std::string_view key) const {
   if (const auto found = overrides_.find(key); found != overrides_.end()) {
-    return "command line: " + found->second;
+    return typed(found->second);
   }
   const std::size_t dot = key.find('.');
   const toml::node* node = root_.get(key);
@@ -118,7 +134,7 @@ std::string Document::place(std::string_view key) const {
   // A table that only the command line knows: the first override inside it.
   const auto inside = overrides_.lower_bound(fmt::format("{}.", key));
   if (inside != overrides_.end() && inside->first.starts_with(fmt::format("{}.", key))) {
-    return "command line: " + inside->second;
+    return typed(inside->second);
   }
   return dot == std::string_view::npos ? path_.string() : place(key.substr(0, dot));
 }

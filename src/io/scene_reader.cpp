@@ -38,6 +38,11 @@ struct Value {
   }
 };
 
+/// A text of the user's as errors show it.
+std::string as_typed(std::string_view text) {
+  return quote(shortened(text, 60));
+}
+
 void hold(const Value& value, double number, const Rule& rule) {
   if (!rule.holds(number)) {
     value.refuse(value.base(), fmt::format("{} is {}; {}", value.name, number, rule.words));
@@ -101,7 +106,7 @@ void read(const Value& value, E& target, const Rule& rule) {
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
     value.refuse(value.name,
-                 fmt::format("{} is {}; known: {}", value.name, quote(text), listed(words)));
+                 fmt::format("{} is {}; known: {}", value.name, as_typed(text), listed(words)));
   }
   target = static_cast<E>(found - words.begin());
 }
@@ -132,8 +137,10 @@ bool contains(const std::vector<std::string_view>& words, std::string_view word)
 }
 
 std::string advice(std::string_view word, std::span<const std::string_view> known) {
+  constexpr std::size_t longer_than_any_key = 64;
+  word = word.substr(0, longer_than_any_key);
   const std::string_view meant = nearest(word, known);
-  return fmt::format("known: {}{}", listed(known),
+  return fmt::format("known: {}{}", listed(known, word),
                      meant.empty() ? "" : fmt::format("; did you mean {}?", meant));
 }
 
@@ -156,8 +163,8 @@ struct TableReader {
     for (const auto& [key, node] : table) {
       if (contains(known, key.str())) continue;
       const std::string dotted = fmt::format("{}.{}", name, key.str());
-      document.refuse(dotted, fmt::format("{} is not a key of [{}]; {}", dotted, name,
-                                          advice(key.str(), known)));
+      document.refuse(dotted, fmt::format("{} is not a key of [{}]; {}", shortened(dotted, 80),
+                                          name, advice(key.str(), known)));
     }
   }
 };
@@ -194,11 +201,11 @@ struct SceneReader {
     const Names known = names_of<Scene>();
     for (const auto& [key, node] : document.root()) {
       if (contains(known.keys, key.str()) || contains(known.tables, key.str())) continue;
-      const std::string name(key.str());
+      const std::string name(key.str()), shown = shortened(name, 80);
       document.refuse(name, node.is_table()
-                                ? fmt::format("[{}] is not a table of a scene; {}", name,
+                                ? fmt::format("[{}] is not a table of a scene; {}", shown,
                                               advice(name, known.tables))
-                                : fmt::format("{} is not a key at the top of a scene; {}", name,
+                                : fmt::format("{} is not a key at the top of a scene; {}", shown,
                                               advice(name, known.keys)));
     }
   }

@@ -126,7 +126,7 @@ void walk(S& merging, Visit& key) {
 
 template <Either<SceneInitial> S, class Visit>
 void walk(S& initial, Visit& key) {
-  key("kind", initial.kind, required(anything));
+  key("kind", initial.kind, anything);
   key("circulation", initial.circulation, required(anything));
   key("core", initial.core, required(positive));
   key("spacing", initial.spacing, positive);
