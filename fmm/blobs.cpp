@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tree/told.hpp"
+
 namespace vortree::fmm {
 namespace {
 
@@ -18,7 +20,7 @@ void check_length(const char* name, std::size_t found, std::size_t expected) {
 
 [[noreturn]] void refuse(const char* name, std::size_t i, double value, const char* wish) {
   throw std::invalid_argument(std::string(name) + "[" + std::to_string(i) + "] is " +
-                              std::to_string(value) + "; it must be " + wish);
+                              tree::told(value) + "; it must be " + wish);
 }
 
 /// x - x is 0 for finite x only; one branch at the end lets the loop run by lanes.

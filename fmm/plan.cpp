@@ -6,13 +6,14 @@
 #include "fmm/boxes.hpp"
 #include "fmm/full.hpp"
 #include "fmm/multipole_kernel.hpp"
+#include "tree/told.hpp"
 
 namespace vortree::fmm {
 namespace {
 
 void check(const Options& options) {
   if (!(options.tolerance > 0.0 && options.tolerance < 1.0)) {
-    throw std::invalid_argument("tolerance is " + std::to_string(options.tolerance) +
+    throw std::invalid_argument("tolerance is " + tree::told(options.tolerance) +
                                 "; it must be in (0, 1)");
   }
   if (options.order < 0 || options.order > most_terms) {

@@ -10,6 +10,7 @@
 #include "fmm/arrangement.hpp"
 #include "fmm/core_kernel.hpp"
 #include "fmm/packed.hpp"
+#include "tree/told.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -83,7 +84,7 @@ void check_door(const Blobs& blobs, const Targets& targets, std::span<const doub
                                 " values, the targets are " + std::to_string(targets.size()));
   }
   if (!(tolerance > 0.0 && tolerance < 1.0)) {
-    throw std::invalid_argument("tolerance is " + std::to_string(tolerance) +
+    throw std::invalid_argument("tolerance is " + tree::told(tolerance) +
                                 "; it must be in (0, 1)");
   }
 }

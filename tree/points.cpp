@@ -9,6 +9,7 @@
 
 #include "tree/extent_kernel.hpp"
 #include "tree/pieces.hpp"
+#include "tree/told.hpp"
 
 namespace vortree::tree {
 
@@ -74,7 +75,7 @@ Domain enclose(Points points) {
 
 Domain enlarge(const Domain& domain, double factor) {
   if (!(factor >= 1.0 && std::isfinite(domain.side * factor))) {
-    throw std::invalid_argument("enlarge: factor is " + std::to_string(factor) +
+    throw std::invalid_argument("enlarge: factor is " + told(factor) +
                                 "; it must be >= 1 and leave the side finite");
   }
   return {domain.x0, domain.y0, round_up(domain.side * factor)};

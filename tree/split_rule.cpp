@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tree/told.hpp"
 
 namespace vortree::tree {
 
@@ -16,10 +17,9 @@ bool acceptable(double reach) {
   return reach >= 0 && std::isfinite(reach);
 }
 
-[[noreturn]] void refuse_reach(const char* which, double reach) {
-  std::ostringstream text;
-  text << "roomy: " << which << " is " << reach << "; it must be finite and >= 0";
-  throw std::invalid_argument(text.str());
+[[noreturn]] void refuse_reach(const std::string& which, double reach) {
+  throw std::invalid_argument("roomy: " + which + " is " + told(reach) +
+                              "; it must be finite and >= 0");
 }
 
 // Minima over runs of 16^k values, k = 0, 1, ...: the minimum of any range in O(16 log n).
@@ -86,7 +86,7 @@ SplitRule crowded(std::uint32_t n_ctrl) {
 SplitRule roomy(std::span<const double> reach) {
   const auto bad = std::find_if_not(reach.begin(), reach.end(), acceptable);
   if (bad != reach.end()) {
-    refuse_reach(("reach[" + std::to_string(bad - reach.begin()) + "]").c_str(), *bad);
+    refuse_reach("reach[" + std::to_string(bad - reach.begin()) + "]", *bad);
   }
   return [minima = Minima(reach)](const Block& block) {
     if (block.points.last > minima.size()) {

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tree/told.hpp"
+
 // Compiled without fused operations: see pair_rule.hpp.
 namespace vortree::tree {
 
@@ -40,7 +42,7 @@ void keep_neighbors(Points p, std::span<const double> reach, const Rows& all, Ro
 VerletList::VerletList(PairRule rule, Listing listing, double skin)
     : rule_(rule), listing_(listing), skin_(skin) {
   if (skin >= 0 && std::isfinite(skin)) return;
-  throw std::invalid_argument("VerletList: skin is " + std::to_string(skin) +
+  throw std::invalid_argument("VerletList: skin is " + told(skin) +
                               "; it must be finite and >= 0");
 }
 

@@ -44,13 +44,17 @@ std::vector<fs::path> scene_files() {
 }
 
 fs::path find_scene(const std::string& name) {
-  if (fs::exists(name) && !fs::is_directory(name)) return name;
+  std::error_code error;
+  const fs::file_type type = fs::status(name, error).type();
+  if (type == fs::file_type::none)
+    throw io::InputError(fmt::format("{}: {}", name, error.message()));
+  if (type != fs::file_type::not_found && type != fs::file_type::directory) return name;
   std::vector<std::string> known;
   for (const auto& scene : scene_files()) {
     if (name == scene.stem() || name == scene.filename()) return scene;
     known.push_back(scene.stem());
   }
-  if (fs::is_directory(name))
+  if (type == fs::file_type::directory)
     throw io::InputError(fmt::format("{}: is a folder; a scene is a TOML file", name));
   throw io::InputError(fmt::format("no scene \"{}\"; give a TOML file or one of the cases: {}",
                                    name, fmt::join(known, ", ")));

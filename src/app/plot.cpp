@@ -94,7 +94,8 @@ Outcome run_scripts(const std::vector<fs::path>& scripts, const fs::path& folder
 }  // namespace
 
 void plot(const fs::path& folder, std::string_view kind) {
-  if (!fs::is_directory(folder))
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
     throw io::InputError(fmt::format("{}: no such folder", folder.string()));
   setenv("MPLBACKEND", "Agg", 1);
   setenv("PYTHONDONTWRITEBYTECODE", "1", 1);

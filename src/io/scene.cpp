@@ -24,7 +24,8 @@ void require_reference(const Document& document, const Scene& scene, std::string
                        const std::optional<std::string>& written) {
   if (!written) return;
   const std::filesystem::path path = reference_path(scene, *written);
-  if (!std::filesystem::is_regular_file(path)) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
     document.refuse(
         key, fmt::format("{} is {}; there is no file {}", key, quote(shortened(*written, 60)),
                          shortened(path.string(), 100)));

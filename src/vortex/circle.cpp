@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tree/told.hpp"
 #include "vortex/angle_kernel.hpp"
 #include "vortex/shape.hpp"
 
@@ -49,7 +50,7 @@ class Circle final : public Shape {
 
 std::unique_ptr<Shape> circle(Vec2 centre, double radius) {
   if (!(radius > 0 && std::isfinite(radius)))
-    throw std::invalid_argument("radius of the circle is " + std::to_string(radius) +
+    throw std::invalid_argument("radius of the circle is " + tree::told(radius) +
                                 "; must be > 0");
   return std::make_unique<Circle>(centre, radius);
 }

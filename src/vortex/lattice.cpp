@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tree/told.hpp"
+
 namespace vortree::vortex {
 namespace {
 
@@ -28,9 +30,9 @@ Blobs cut(const Lattice& lattice, double gamma, Vec2 reach, Weight weight) {
 
 void require(bool holds, const Lattice& lattice, double a, double b, const char* expected) {
   if (holds && lattice.sigma_0 > 0 && lattice.h > 0) return;
-  throw std::invalid_argument("a vortex of widths " + std::to_string(a) + ", " + std::to_string(b) +
-                              " cut into cores of " + std::to_string(lattice.sigma_0) + " every " +
-                              std::to_string(lattice.h) + "; " + expected +
+  throw std::invalid_argument("a vortex of widths " + tree::told(a) + ", " + tree::told(b) +
+                              " cut into cores of " + tree::told(lattice.sigma_0) + " every " +
+                              tree::told(lattice.h) + "; " + expected +
                               " > 0 and spacing > 0 were expected");
 }
 

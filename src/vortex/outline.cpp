@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tree/told.hpp"
+
 namespace vortree::vortex {
 namespace {
 
@@ -146,7 +148,7 @@ class Outline final : public Shape {
 
 void require_positive(double value, const char* what) {
   if (!(value > 0 && std::isfinite(value)))
-    throw std::invalid_argument(std::string(what) + " is " + std::to_string(value) +
+    throw std::invalid_argument(std::string(what) + " is " + tree::told(value) +
                                 "; must be > 0");
 }
 
@@ -219,7 +221,7 @@ std::unique_ptr<Shape> ellipse(Vec2 centre, double a, double b, double incidence
 std::unique_ptr<Shape> naca0012(Vec2 centre, double chord, double edge, double incidence) {
   require_positive(chord, "chord");
   if (!(edge >= 1e-4 && edge <= 0.02))
-    throw std::invalid_argument("trailing edge of radius " + std::to_string(edge) +
+    throw std::invalid_argument("trailing edge of radius " + tree::told(edge) +
                                 " of the chord; must be in 1e-4 .. 0.02");
   return outline([=, place = Placement(centre, incidence)](double t) {
     // r = sqrt(x) is the size of cos(t/2), and goes from the upper to the lower side with its sign.

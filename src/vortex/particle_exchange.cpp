@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "tree/told.hpp"
 #include "vortex/bins.hpp"
 
 namespace vortree::vortex {
@@ -39,8 +40,8 @@ std::vector<double> rate(const Blobs& blobs, const Bins& bins, const std::vector
 void exchange_strength(Blobs& blobs, double nu, double dt, double epsilon, double area) {
   if (nu * dt > 0.5 * epsilon * epsilon)
     throw std::invalid_argument(
-        "particle strength exchange with nu dt = " + std::to_string(nu * dt) + " and cores of " +
-        std::to_string(epsilon) + "; it is stable for nu dt <= core^2/2");
+        "particle strength exchange with nu dt = " + tree::told(nu * dt) + " and cores of " +
+        tree::told(epsilon) + "; it is stable for nu dt <= core^2/2");
   const Bins bins(blobs.x, blobs.y, 2 * epsilon);
   const double e2 = epsilon * epsilon, factor = 4 * std::numbers::inv_pi * nu * area / (e2 * e2);
   const std::vector<double> first = rate(blobs, bins, blobs.gamma, factor, epsilon);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/program.hpp"
+#include "io/quote.hpp"
 
 using namespace vortree::test;
 
@@ -53,10 +54,13 @@ TEST_CASE("wrong usage is answered with one line and exit code 2") {
       {"velocity wake.h5 --out o.h5 --tolerance tight", "tight"},
       {"velocity wake.h5 --out o.h5 --tolerance -1e-6", "tolerance"},
       {"velocity wake.h5 --out o.h5 --tolerance nan", "tolerance"},
+      {"velocity wake.h5 --out o.h5 --tolerance 1e-400", "1e-400"},
       {"velocity wake.h5 --out o.h5 --order -3", "order"},
+      {"velocity wake.h5 --out o.h5 --order 1e9", "1e9 is no whole number"},
       {"velocity wake.h5 --out o.h5 --capacity -3", "capacity"},
       {"velocity wake.h5 --out o.h5 --level 99", "level"},
       {"velocity wake.h5 --out o.h5 --threads 0", "--threads"},
+      {"velocity wake.h5 --out o.h5 --threads 1e99", "from 1 to 4096"},
       {"velocity wake.h5 --out o.h5 --repeat 0", "--repeat"},
       {"run", "SCENE"},
       {"run nowhere", "nowhere"},
@@ -135,5 +139,31 @@ TEST_CASE("help and version go to standard output with exit code 0") {
     CHECK(help.code == 0);
     CHECK(help.err.empty());
     CHECK(help.out.find(command.empty() ? "velocity" : "vortree " + command) != std::string::npos);
+  }
+}
+
+TEST_CASE("a complaint is short and shows what it must not do to a terminal") {
+  const TemporaryFolder folder;
+  write_wake(folder);
+  fs::create_symlink("circle", folder / "circle");
+  const std::string escape = "$(printf '\\033[31m\\302\\233\\377')";
+  const std::string lengthy = "$(head -c 5000 /dev/zero | tr '\\0' k)";
+  const std::string arguments = GENERATE_COPY(
+      as<std::string>{}, "WORD", "run WORD", "check WORD", "check WORD.toml", "plot WORD",
+      "bench WORD", "check circle", "check lamb_oseen WORD", "check lamb_oseen WORD=1",
+      "check lamb_oseen a.WORD=1", "check lamb_oseen velocity.method=WORD",
+      "check lamb_oseen velocity.method=\\'WORD\\'", "velocity WORD --out o.h5",
+      "velocity wake.h5 --out WORD/o.h5", "velocity wake.h5 --out o.h5 --method WORD",
+      "velocity wake.h5 --out o.h5 --tolerance WORD", "velocity wake.h5 --out o.h5 --WORD",
+      "neighbors wake.h5 --out o.h5 --rule WORD");
+  for (const std::string& word : {escape, lengthy}) {
+    std::string line = arguments;
+    if (const auto at = line.find("WORD"); at != std::string::npos) line.replace(at, 4, word);
+    const auto outcome = call(line, folder);
+    CAPTURE(line, outcome.err);
+    check_complaint(outcome, "");
+    CHECK(outcome.err.size() < 350);
+    CHECK(vortree::io::printable(outcome.err) ==
+          outcome.err.substr(0, outcome.err.size() - 1) + " ");
   }
 }
