@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "app/rate_of_change.hpp"
 #include "vortex/form.hpp"
 #include "vortex/near_wake.hpp"
 
@@ -86,75 +87,67 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
   return record;
 }
 
-Record History::with_forces(const Record& record, vortex::Vec2 by_impulse,
-                            vortex::Vec2 by_wall) const {
-  Record done = record;
-  if (!flow_.problem.wall) return done;
-  const vortex::Vec2 along = flow_.along, across{-along.y, along.x};
-  const double scale = 2 / (flow_.speed * flow_.speed * flow_.diameter);
-  const vortex::Vec2 displaced =
-      flow_.problem.wall->area() * flow_.problem.flow.plunge.acceleration(record.t);
-  done.cd_impulse = scale * dot(by_impulse + displaced, along);
-  done.cl_impulse = scale * dot(by_impulse + displaced, across);
-  done.cd_wall = scale * dot(by_wall + displaced, along);
-  done.cl_wall = scale * dot(by_wall + displaced, across);
-  return done;
-}
-
 namespace {
 
-vortex::Vec2 impulse(const Record& r) {
-  return {r.impulse_x, r.impulse_y};
-}
-vortex::Vec2 pressure(const Record& r) {
-  return {r.pressure_x, r.pressure_y};
-}
-vortex::Vec2 friction(const Record& r) {
-  return {r.friction_x, r.friction_y};
-}
-
-/// Rate of change, at the second of three times, of what is f at each, by the parabola through them
-/// in sqrt(t): what an impulsive start sets off at t = 0 goes as powers of that.
-class RateOfChange {
- public:
-  RateOfChange(double t0, double t1, double t2) {
-    const double s0 = std::sqrt(t0), s1 = std::sqrt(t1), s2 = std::sqrt(t2);
-    before_ = (s1 - s2) / ((s0 - s1) * (s0 - s2)) / (2 * s1);
-    after_ = (s1 - s0) / ((s2 - s0) * (s2 - s1)) / (2 * s1);
-  }
-  vortex::Vec2 operator()(vortex::Vec2 f0, vortex::Vec2 f1, vortex::Vec2 f2) const {
-    return before_ * (f0 - f1) + after_ * (f2 - f1);
-  }
-
- private:
-  double before_, after_;
+/// Times, the fluid's impulse and what the pressure has given a body at rest since the first of
+/// some records.
+struct Course {
+  std::vector<double> t;
+  std::vector<vortex::Vec2> impulses, given;
 };
+
+Course course_of(std::span<const Record> records) {
+  Course course;
+  for (const Record& r : records) {
+    const vortex::Vec2 pressure{r.pressure_x, r.pressure_y};
+    course.given.push_back(course.t.empty()
+                               ? vortex::Vec2{}
+                               : course.given.back() + (r.t - course.t.back()) * pressure);
+    course.t.push_back(r.t);
+    course.impulses.push_back({r.impulse_x, r.impulse_y});
+  }
+  return course;
+}
+
+/// A body at rest feels minus the rate of change of the fluid's impulse; of what the pressure has
+/// given it, the rate is the force.
+Record with_forces(const Record& record, const Course& course, const RateOfChange& rate,
+                   const FlowCase& flow) {
+  Record done = record;
+  const vortex::Vec2 along = flow.along, across{-along.y, along.x};
+  const double scale = 2 / (flow.speed * flow.speed * flow.diameter);
+  const vortex::Vec2 displaced =
+      flow.problem.wall->area() * flow.problem.flow.plunge.acceleration(record.t);
+  const vortex::Vec2 by_impulse = -1 * rate(course.impulses) + displaced;
+  const vortex::Vec2 by_wall =
+      rate(course.given) + vortex::Vec2{record.friction_x, record.friction_y} + displaced;
+  done.cd_impulse = scale * dot(by_impulse, along);
+  done.cl_impulse = scale * dot(by_impulse, across);
+  done.cd_wall = scale * dot(by_wall, along);
+  done.cl_wall = scale * dot(by_wall, across);
+  return done;
+}
 
 }  // namespace
 
 void History::add(const Record& record, const Write& write) {
   recent_.push_back(record);
   if (recent_.size() < 3) return;
-  if (recent_.size() > 3) recent_.pop_front();
-  write(with_forces_in_the_middle());
-}
-
-/// Of the middle one of three.
-Record History::with_forces_in_the_middle() const {
-  const Record &a = recent_[0], &b = recent_[1], &c = recent_[2];
-  const RateOfChange rate(a.t, b.t, c.t);
-  // A body at rest feels minus the rate of change of the fluid's impulse; of what the pressure has
-  // given it since the first of the three, the rate is the force.
-  const vortex::Vec2 by_b = (b.t - a.t) * pressure(b), by_c = by_b + (c.t - b.t) * pressure(c);
-  return with_forces(b, -1 * rate(impulse(a), impulse(b), impulse(c)),
-                     rate({}, by_b, by_c) + friction(b));
+  if (recent_.size() > most) recent_.erase(recent_.begin());
+  const auto three = std::span(recent_).last(3);
+  write(flow_.problem.wall
+            ? with_forces(three[1], course_of(three),
+                          RateOfChange::in_the_middle(three[0].t, three[1].t, three[2].t), flow_)
+            : three[1]);
 }
 
 void History::finish(const Write& write) {
   if (recent_.size() < 2) return;
-  const Record &before = recent_[recent_.size() - 2], &now = recent_.back();
-  write(with_forces(now, (-1 / (now.t - before.t)) * (impulse(now) - impulse(before)),
-                    pressure(now) + friction(now)));
+  if (!flow_.problem.wall) return write(recent_.back());
+  const vortex::Vec2 slip = flow_.problem.flow.stream_at(0);
+  const Course course = course_of(recent_);
+  write(with_forces(recent_.back(), course, RateOfChange::at_the_end(course.t, dot(slip, slip) > 0),
+                    flow_));
 }
 
 std::vector<double> History::saved() const {

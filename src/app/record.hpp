@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -50,10 +49,9 @@ Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
 ///                               F by impulse = dP/dt
 ///                               F by the wall = d/dt(what pressure has given) + friction at t_n
 ///
-/// by the parabola in sqrt(t) through three records, O(dt^2), near an impulsive start at t = 0, too
-/// (where differences in t err by dt^2/(8 t^2)); the last record of a run looks back, O(dt). To a
-/// body that plunges both add its area times its acceleration, since they are forces in its own
-/// frame (vortex/plunge.hpp).
+/// by the parabola in sqrt(t) through three records, the last record of a run by that which fits
+/// the last four best (rate_of_change.hpp), O(dt^2). To a body that plunges both add its area times
+/// its acceleration, since they are forces in its own frame (vortex/plunge.hpp).
 class History {
  public:
   using Write = std::function<void(const Record&)>;
@@ -68,11 +66,10 @@ class History {
   void restore(std::span<const double> values);
 
  private:
-  Record with_forces_in_the_middle() const;
-  Record with_forces(const Record& record, vortex::Vec2 by_impulse, vortex::Vec2 by_wall) const;
+  static constexpr std::size_t most = 4;
 
   const FlowCase& flow_;
-  std::deque<Record> recent_;  // three at most, the oldest first
+  std::vector<Record> recent_;  // the oldest first
 };
 
 }  // namespace vortree::app
