@@ -33,8 +33,8 @@ SweepPlan sweep_plan(std::span<const std::string> overrides);
 ///
 /// A run that fails is reported and leaves a gap in the table. With `resume`, runs go on from their
 /// last frames and those that were not begun begin.
-/// returns  0 if all runs came to their ends (whatever their checks say), else 1
-/// throws   as run() does
+/// returns  0 if all runs came to their ends and missed no check, else 1: the last line says which
+/// throws   as run() does, before anything runs; and if two runs would be the same
 int sweep(const RunOptions& options, const SweepPlan& plan);
 
 }  // namespace vortree::app
