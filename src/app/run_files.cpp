@@ -69,6 +69,7 @@ void RunFiles::begin() {
   io::remove_file(folder_ / "summary.json");
   io::create_frames(folder_, run_info(scene_));
   io::remove_file(folder_ / "fields.h5");
+  io::remove_file(folder_ / "fields.xdmf");
   tables_.begin();
 }
 

@@ -12,7 +12,9 @@
 #include "io/checksum.hpp"
 #include "io/files.hpp"
 #include "io/hdf5.hpp"
+#include "io/hdf5_inside.hpp"
 #include "io/mended.hpp"
+#include "io/xdmf.hpp"
 
 namespace vortree::io {
 namespace {
@@ -103,6 +105,24 @@ std::optional<Field> read_if_good(hid_t file, const std::string& name) {
   }
 }
 
+std::size_t length_of(hid_t group, const char* name) {
+  return h5::believed_count(h5::open_dataset(group, name), name);
+}
+
+void refresh_xdmf(const fs::path& dir) {
+  const h5::Handle file = h5::open_file(fields_path(dir));
+  std::vector<FieldLabel> labels;
+  for (const auto& [time, name] : list(file)) {
+    try {
+      const h5::Handle group = h5::own(H5Gopen2(file, name.c_str(), H5P_DEFAULT), name);
+      labels.push_back({name, time, length_of(group, "y"), length_of(group, "x")});
+    } catch (const h5::Failure&) {
+      continue;
+    }
+  }
+  write_derived_text(dir / "fields.xdmf", fields_xdmf_text("fields.h5", labels));
+}
+
 }  // namespace
 
 void append_field(const fs::path& dir, const Field& field) {
@@ -115,6 +135,7 @@ void append_field(const fs::path& dir, const Field& field) {
         write_field(file, field);
         h5::close_file(std::move(file), fresh);
       });
+      refresh_xdmf(dir);
       return;
     }
     h5::Handle file = h5::open_file(path, H5F_ACC_RDWR);
@@ -124,6 +145,7 @@ void append_field(const fs::path& dir, const Field& field) {
     }
     write_field(file, field);
     h5::close_file(std::move(file), path);
+    refresh_xdmf(dir);
   } catch (const h5::Failure& failure) {
     throw std::runtime_error(fmt::format("{}: the field of t = {} cannot be saved ({})",
                                          path.string(), field.time, failure.what()));
@@ -167,6 +189,7 @@ std::vector<double> rewind_fields(const fs::path& dir, double time) {
     }
     h5::close_file(std::move(healthy), fresh);
   });
+  refresh_xdmf(dir);
   return kept;
 }
 

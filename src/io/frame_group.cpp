@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
+#include <numeric>
+#include <span>
 
 #include "io/checksum.hpp"
 #include "io/hdf5_inside.hpp"
@@ -38,6 +41,44 @@ h5::Handle open_frame(hid_t file, const FramePlace& place) {
                  frame_name(place.step) + " cannot be opened");
 }
 
+/// Pairs as rows of three components, as programs that draw want them.
+std::vector<double> in_space(std::span<const double> x, std::span<const double> y) {
+  std::vector<double> rows;
+  rows.reserve(3 * x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) rows.insert(rows.end(), {x[i], y[i], 0});
+  return rows;
+}
+
+std::vector<std::int32_t> counted(std::size_t n) {
+  std::vector<std::int32_t> numbers(n);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// The columns once more, as frames.xdmf shows them.
+void write_view(hid_t group, const Frame& frame) {
+  h5::Handle view = h5::create_group(group, "view");
+  h5::write_grid(view, "points", in_space(frame.x, frame.y), frame.x.size(), 3);
+  h5::write_grid(view, "velocity", in_space(frame.u, frame.v), frame.x.size(), 3);
+  h5::write(view, "vertices", counted(frame.x.size()));
+  h5::close(std::move(view), "view");
+}
+
+bool same_bits(std::span<const double> a, std::span<const double> b) {
+  return std::ranges::equal(a, b, {}, std::bit_cast<std::uint64_t, double>,
+                            std::bit_cast<std::uint64_t, double>);
+}
+
+/// Frames of earlier versions have no view.
+bool view_agrees(hid_t group, const Frame& frame) {
+  if (!h5::has(group, "view")) return true;
+  const h5::Handle view = h5::own(H5Gopen2(group, "view", H5P_DEFAULT), "view");
+  const auto numbers = counted(frame.x.size());
+  return same_bits(h5::read(view, "points"), in_space(frame.x, frame.y)) &&
+         same_bits(h5::read(view, "velocity"), in_space(frame.u, frame.v)) &&
+         std::ranges::equal(h5::read(view, "vertices"), numbers);
+}
+
 }  // namespace
 
 std::string frame_name(std::int64_t step) {
@@ -57,6 +98,7 @@ std::vector<FramePlace> frame_places(hid_t file) {
 void write_frame(hid_t file, const Frame& frame) {
   h5::append_group(file, frame_name(frame.step), [&](hid_t group) {
     for (const auto& [name, column] : frame_columns) h5::write(group, name, frame.*column);
+    write_view(group, frame);
     h5::Handle state = h5::create_group(group, "state");
     for (const auto& [name, values] : frame.state) h5::write(state, name, values);
     h5::close(std::move(state), "state");
@@ -78,6 +120,9 @@ Frame read_frame(hid_t file, const FramePlace& place) {
   for (const auto& [index, key] : h5::links(state)) frame.state[key] = h5::read(state, key);
   if (frame.step != place.step || h5::read_unsigned(group, "checksum") != checksum(frame)) {
     throw h5::Failure(frame_name(place.step) + " does not agree with its checksum");
+  }
+  if (!view_agrees(group, frame)) {
+    throw h5::Failure(frame_name(place.step) + " does not agree with what is drawn of it");
   }
   return frame;
 }

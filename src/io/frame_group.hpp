@@ -39,7 +39,8 @@ struct FramePlace {
 /// Writes the frame complete, flushes it, and only then links it into the file.
 void write_frame(hid_t file, const Frame&);
 
-/// Reads a frame. throws h5::Failure if it is damaged: also when its checksum does not agree.
+/// Reads a frame. throws h5::Failure if it is damaged: also when its checksum, or what is drawn of
+/// it, does not agree.
 [[nodiscard]] Frame read_frame(hid_t file, const FramePlace&);
 
 /// Time and number of blobs of a frame, without reading its columns.
