@@ -16,7 +16,8 @@ namespace vortree::app {
 ///   step(..., [&](std::string_view phase) { watch.begin(phase); });
 ///   watch.end();
 ///   watch.seconds("convect")         // all laps of that phase together
-class Stopwatch {
+template <class Clock>
+class StopwatchBy {
  public:
   using Phases = std::vector<std::pair<std::string, double>>;
 
@@ -45,13 +46,13 @@ class Stopwatch {
   const Phases& phases() const { return phases_; }
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using Moment = typename Clock::time_point;
 
-  static double seconds(Clock::time_point from, Clock::time_point to) {
+  static double seconds(Moment from, Moment to) {
     return std::chrono::duration<double>(to - from).count();
   }
 
-  void close(Clock::time_point now) {
+  void close(Moment now) {
     if (current_.empty()) return;
     slot(current_) += seconds(began_, now);
     current_.clear();
@@ -63,10 +64,12 @@ class Stopwatch {
     return phases_.emplace_back(name, 0.0).second;
   }
 
-  Clock::time_point start_ = Clock::now(), began_ = start_;
+  Moment start_ = Clock::now(), began_ = start_;
   std::string current_;
   Phases phases_;
 };
+
+using Stopwatch = StopwatchBy<std::chrono::steady_clock>;
 
 /// The middle one of some values, or the mean of the middle two; one at least.
 inline double median(std::vector<double> values) {

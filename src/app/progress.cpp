@@ -9,6 +9,8 @@
 namespace vortree::app {
 namespace {
 
+constexpr double longest = 3e9;  // a century
+
 std::string duration(double seconds) {
   const auto whole = static_cast<long>(std::ceil(seconds));
   if (whole >= 3600)
@@ -19,7 +21,8 @@ std::string duration(double seconds) {
 std::string time_left(const Progress& progress, double elapsed) {
   const double done = progress.time - progress.start;
   if (!(done > 0.0) || !std::isfinite(elapsed)) return "?";
-  return duration(std::max(0.0, elapsed * (progress.end - progress.time) / done));
+  const double left = std::max(0.0, elapsed * (progress.end - progress.time) / done);
+  return left < longest ? duration(left) : "?";
 }
 
 }  // namespace

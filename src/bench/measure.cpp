@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/clock.hpp"
 #include "bench/memory.hpp"
 
 namespace vortree::bench {
@@ -23,26 +22,32 @@ Exact at_first(Exact exact) {
   return exact;
 }
 
-double total(const app::Stopwatch& lap) {
+double total(const app::Stopwatch::Phases& lap) {
   double sum = 0.0;
-  for (const auto& [name, seconds] : lap.phases()) sum += seconds;
+  for (const auto& [name, seconds] : lap) sum += seconds;
   return sum;
 }
 
-void summarise(const std::vector<app::Stopwatch>& laps, double scale, Measurement& made) {
+double seconds_of(const app::Stopwatch::Phases& lap, const std::string& phase) {
+  for (const auto& [name, seconds] : lap)
+    if (name == phase) return seconds;
+  return 0;
+}
+
+}  // namespace
+
+void summarise(std::span<const app::Stopwatch::Phases> laps, double scale, Measurement& made) {
   std::vector<double> totals;
   for (const auto& lap : laps) totals.push_back(scale * total(lap));
   made.seconds = app::median(totals);
   made.fastest = std::ranges::min(totals);
   made.repeats = static_cast<int>(laps.size());
-  for (const auto& [name, ignored] : laps.front().phases()) {
+  for (const auto& [name, ignored] : laps.front()) {
     std::vector<double> values;
-    for (const auto& lap : laps) values.push_back(scale * lap.seconds(name));
+    for (const auto& lap : laps) values.push_back(scale * seconds_of(lap, name));
     made.phases.emplace_back(name, app::median(values));
   }
 }
-
-}  // namespace
 
 Measurement measure(const Method& method, const PointSet& set, const Exact& exact, double tolerance,
                     const Patience& patience) {
@@ -64,13 +69,13 @@ Measurement measure(const Method& method, const PointSet& set, const Exact& exac
                                  [&watch](std::string_view name) { watch.begin(name); },
                                  {.repeated = true, .counted = counted});
     if (counted) made.account = account;
-    return watch;
+    return watch.phases();
   };
   const MemoryGrowth growth;
   lap(true);
   made.bytes = growth.bytes();
 
-  std::vector<app::Stopwatch> laps;
+  std::vector<app::Stopwatch::Phases> laps;
   const double used = app::processor_seconds();
   const app::Stopwatch all;
   for (double spent = 0.0;

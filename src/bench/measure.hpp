@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/clock.hpp"
 #include "bench/accuracy.hpp"
 #include "bench/methods.hpp"
 #include "bench/point_sets.hpp"
@@ -24,6 +26,9 @@ struct Measurement {
   VelocityError error;
   Account account;
 };
+
+/// Seconds, fastest, repeats and phases of some laps, each time `scale` times what it was.
+void summarise(std::span<const app::Stopwatch::Phases> laps, double scale, Measurement& made);
 
 /// Repeats for so many seconds or so often, but three times at least.
 ///
