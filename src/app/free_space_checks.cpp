@@ -132,12 +132,14 @@ void check_dipole(std::vector<Verdict>& list, const io::Scene& scene, const Rows
 }
 
 /// Columns of the report at the times of a reference that lie within it: the largest distance from
-/// the reference's, as a share of the largest of its first column.
+/// the reference's, as a share of the largest that its first column has been by the end.
 Reached moments_off(const Rows& rows, const io::Table& reference,
                     std::initializer_list<const char*> columns) {
   const Column t = reference.column("t"), ours = rows.column("t");
+  if (ours.empty()) return rows.too_short();
   Column off, size;
-  for (std::size_t row = 0; row < t.size(); ++row) {
+  for (std::size_t row = 0; row < t.size() && t[row] <= ours.back() + 1e-9; ++row) {
+    size.push_back(reference.column(*columns.begin())[row]);
     double squares = 0;
     bool within = true;
     for (const char* name : columns) {
@@ -145,9 +147,7 @@ Reached moments_off(const Rows& rows, const io::Table& reference,
       within = within && value;
       if (value) squares += std::pow(*value - reference.column(name)[row], 2);
     }
-    if (!within) continue;
-    off.push_back(std::sqrt(squares));
-    size.push_back(reference.column(*columns.begin())[row]);
+    if (within) off.push_back(std::sqrt(squares));
   }
   if (off.empty()) return rows.too_short();
   return {share(largest_of(off), largest_of(size))};

@@ -87,6 +87,10 @@ void Run::begin() {
 
 void Run::resume() {
   const io::Frame frame = files_.last_frame();
+  if (frame.step > timetable_.last_step())
+    throw io::InputError(
+        fmt::format("{}: the last frame is that of t = {:.9g}, beyond time.end = {:.9g}",
+                    (folder_ / "frames.h5").string(), time(frame.step), scene_.time.end));
   step_ = saved_step_ = frame.step;
   flow_.problem.time = time(step_);
   blobs_ = {frame.x, frame.y, frame.gamma, frame.sigma};

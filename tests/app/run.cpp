@@ -137,6 +137,18 @@ frames = 1e9
   CHECK(call("run foil.toml --out halved --resume plunge.amplitude=0.2", folder).code == 2);
 }
 
+TEST_CASE("a run that is past its end is not gone on with") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  CHECK(call("run vortex.toml --out past", folder).code == 0);
+  const auto outcome = call("run vortex.toml --out past --resume time.end=0.05", folder);
+  CHECK(outcome.code == 2);
+  CHECK(outcome.err ==
+        "vortree: past/frames.h5: the last frame is that of t = 0.1, beyond time.end = 0.05\n");
+  CHECK(call("run vortex.toml --out past --resume", folder).code == 0);
+}
+
 TEST_CASE("a run that cannot begin is refused with one line and 2") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
