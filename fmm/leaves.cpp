@@ -15,7 +15,7 @@ constexpr std::uint32_t crowd = 256;
 Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored,
                std::size_t whole) {
   number(tree, cored ? lane_count : whole);
-  auto& [x, y, core] = points;
+  Reals &x = points.x, &y = points.y, &core = points.core;
   for (auto* values : {&x, &y, &gamma}) values->resize(places());
   if (cored) core.resize(places());
   const auto cells = tree.cells();

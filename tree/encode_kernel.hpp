@@ -32,7 +32,8 @@ struct Axis {
                                              Key* codes) {
   std::size_t strays = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    strays += static_cast<std::size_t>(!(along_x.holds(x[i]) & along_y.holds(y[i])));
+    const bool in_x = along_x.holds(x[i]), in_y = along_y.holds(y[i]);
+    strays += static_cast<std::size_t>(!(in_x & in_y));
     codes[i] = encode({along_x.cell(x[i]), along_y.cell(y[i])}) & mask;
   }
   return strays;

@@ -7,7 +7,12 @@
 #include <utility>
 
 #ifdef __AVX__
+// GCC 12 takes the undefined lanes of its own AVX-512 intrinsics for a mistake.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #include <immintrin.h>
+#pragma GCC diagnostic pop
 #endif
 
 namespace vortree {
@@ -26,7 +31,7 @@ inline constexpr int register_bytes = 16, registers = 16;
 
 inline constexpr int lane_count = register_bytes / 8;
 using Lanes [[gnu::vector_size(register_bytes)]] = double;
-using Bits [[gnu::vector_size(register_bytes)]] = std::int64_t;
+using Bits = decltype(Lanes{} < Lanes{});  // whole numbers of 64 bits, under the compiler's name
 
 inline constexpr int single_count = register_bytes / 4;
 using Singles [[gnu::vector_size(register_bytes)]] = float;

@@ -119,8 +119,8 @@ void write_all(const fs::path& path, std::span<const Column> columns, const Attr
   for (const Column& column : columns) {
     std::visit([&](const auto& values) { h5::write(file, column.name, values); }, column.values);
   }
-  for (const auto& [name, value] : about) {
-    std::visit([&](const auto& v) { h5::write_attribute(file, name, v); }, value);
+  for (const auto& entry : about) {
+    std::visit([&](const auto& v) { h5::write_attribute(file, entry.first, v); }, entry.second);
   }
   h5::close_file(std::move(file), path);
 }

@@ -299,8 +299,6 @@ TEST_CASE("other units of length add a constant to the stream function, and noth
   test::PointSet set = make_hard(5, true);
   const fmm::Targets targets{set.x, set.y, {}};
   const test::Fields here(fmm::Plan(set.blobs(), {}), targets);
-  double all = 0.0;
-  for (const double gamma : set.gamma) all += gamma;
   test::PointSet scaled = set;
   for (auto* values : {&scaled.x, &scaled.y, &scaled.sigma}) {
     for (double& value : *values) value *= 0x1p40;

@@ -49,16 +49,6 @@ double total(const std::vector<double>& values, const Wall& wall) {
   return sum;
 }
 
-/// 2 gamma/(pi sigma_n sigma_t) exp(-n^2/sigma_n^2 - t^2/sigma_t^2) at the wall point of arc s,
-/// n and t counted from the core's centre along its own axes.
-double folded_there(const CoreAtWall& core, double s) {
-  const double theta = (s - core.at.arc) / radius;
-  const double t = radius * std::sin(theta);
-  const double n = radius * std::cos(theta) - radius - core.at.distance;
-  return 2 * core.gamma / (pi * core.across * core.along) *
-         std::exp(-n * n / (core.across * core.across) - t * t / (core.along * core.along));
-}
-
 }  // namespace
 
 TEST_CASE("what a trace adds is its Gaussian smoothed by a Gaussian freed of its broadening") {
