@@ -5,7 +5,8 @@
 set -u
 launcher=$1
 scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
+chmod 755 "$scratch"
 failures=0
 
 expect() {  # expect WHAT FOUND WANTED-PATTERN
@@ -15,15 +16,20 @@ expect() {  # expect WHAT FOUND WANTED-PATTERN
   failures=$((failures + 1))
 }
 
-tool() { printf '#!%s\n%s\n' "$BASH" "$2" >"$machine/$1"; chmod +x "$machine/$1"; }
+tool() {  # tool NAME BODY
+  printf '#!%s\nproject="%s" machine="%s"\n%s\n' "$BASH" "$project" "$machine" "$2" >"$machine/$1"
+  chmod +x "$machine/$1"
+}
 
-# A fresh machine with the basic tools only, and a fresh project on it.
+# A fresh machine with the basic tools only, and a fresh project on it, in a path with a space.
 claim() {
   claim=$1
   machine=$(mktemp -d -p "$scratch")
-  project=$(mktemp -d -p "$scratch")
+  project="$(mktemp -d -p "$scratch")/my project"
+  mkdir "$project"
+  chmod 755 "$machine" "${project%/*}"
   local basic
-  for basic in bash env cat cut dirname flock grep mkdir nproc readlink sleep tail; do
+  for basic in bash chmod env cat cut dirname find flock grep mkdir nproc readlink rm sleep tail; do
     ln -s "$(command -v "$basic")" "$machine/$basic"
   done
   cp "$launcher" "$project/vortree"
@@ -32,20 +38,20 @@ claim() {
 # cmake and ninja that only leave a program behind, which prints where and with what it is called
 # and returns 7.
 builders() {
-  tool cmake "echo \"CMAKE_HOME_DIRECTORY:INTERNAL=$project\" >$project/build/CMakeCache.txt
-    echo configured >>$project/steps; : >$project/build/build.ninja"
-  tool ninja "echo \"ninja \${@: -1}\" >>$project/steps; echo '[1/1] Building CXX object'
-    mkdir -p $project/build/bin
-    printf '#!%s\necho \"\$PWD: \$*\"; exit 7\n' $BASH >$project/build/bin/vortree
-    $(command -v chmod) +x $project/build/bin/vortree"
-  tool ctest "echo \"ctest \$*\"; exit 8"
+  tool cmake 'echo "CMAKE_HOME_DIRECTORY:INTERNAL=$project" >"$project/build/CMakeCache.txt"
+    echo configured >>"$project/steps"; : >"$project/build/build.ninja"'
+  tool ninja 'echo "ninja ${@: -1}" >>"$project/steps"; echo "[1/1] Building CXX object"
+    mkdir -p "$project/build/bin"
+    printf '"'#!%s\\necho \"\$PWD: \$*\"; exit 7\\n'"' "$BASH" >"$project/build/bin/vortree"
+    chmod +x "$project/build/bin/vortree"'
+  tool ctest 'echo "ctest $*"; exit 8'
 }
 
 # An apt whose installed packages are the words of the file `installed`.
 apt() {
   printf '%s\n' "$@" >"$machine/installed"
-  tool apt-get "echo \"\$DEBIAN_FRONTEND \$*\" >>$project/steps"
-  tool dpkg-query "while read -r name; do echo \"\$name installed\"; done <$machine/installed; exit 1"
+  tool apt-get 'echo "$DEBIAN_FRONTEND $*" >>"$project/steps"'
+  tool dpkg-query 'while read -r name; do echo "$name installed"; done <"$machine/installed"; exit 1'
 }
 
 call() {  # call FROM LAUNCHER ARGUMENTS: sets out, err, code
@@ -54,6 +60,15 @@ call() {  # call FROM LAUNCHER ARGUMENTS: sets out, err, code
   out=$(cd "$from" && PATH=$machine "$@" 2>"$scratch/err")
   code=$?
   err=$(<"$scratch/err")
+}
+
+# The same by a user who may not write what others own, if the caller is root.
+call_as_user() {
+  if ((EUID == 0)); then
+    call "$1" "$(command -v setpriv)" --reuid=65534 --regid=65534 --clear-groups "${@:2}"
+  else
+    call "$@"
+  fi
 }
 
 steps() { cat "$project/steps" 2>/dev/null; }
@@ -123,12 +138,83 @@ expect steps "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"configured"$'\n'"n
 
 claim "two calls at once build one after the other"
 apt $packages; builders
-tool ninja "[[ -e $project/busy ]] && echo clash >>$project/steps
-  : >$project/busy; sleep 0.3; $(command -v rm) $project/busy"
+tool ninja '[[ -e $project/busy ]] && echo clash >>"$project/steps"
+  : >"$project/busy"; sleep 0.3; rm "$project/busy"'
 (cd "$project" && PATH=$machine ./vortree cases) >/dev/null 2>&1 &
 call "$project" ./vortree cases
 wait
 expect steps "$(steps)" "configured"
+
+claim "with HOME unset, by way of a link to a link, the call is the same"
+apt $packages; builders
+mkdir "$project/elsewhere"
+ln -s "$project/vortree" "$project/elsewhere/link"
+ln -s link "$project/elsewhere/link to link"
+call "$project/elsewhere" env -u HOME "./link to link" cases
+expect code $code 7
+expect out "$out" "$project/elsewhere: cases"
+
+claim "a built project that cannot be written runs as built, and says nothing"
+apt $packages; builders
+call "$project" ./vortree cases
+chmod -R a-w "$project/build"
+call_as_user / "$project/vortree" run "my scene.toml"
+expect code $code 7
+expect out "$out" "/: run my scene.toml"
+expect said "$err" ""
+expect steps "$(steps)" "configured"$'\n'"ninja vortree"
+
+claim "a program that is older than sources that cannot be built is run with a line about it"
+apt $packages; builders
+call "$project" ./vortree cases
+mkdir "$project/tree"
+touch -d "+1 hour" "$project/tree/new.cpp"
+chmod -R a-w "$project/build"
+call_as_user "$project" ./vortree cases
+expect code $code 7
+expect said "$err" "vortree: cannot write to $project/build: running an older build than the sources"
+
+claim "what needs a build folder that cannot be written is refused in one line"
+apt $packages; builders
+mkdir "$project/build"
+chmod -R a-w "$project"
+call_as_user "$project" ./vortree cases
+expect code $code 1
+expect said "$err" "vortree: cannot write to $project/build, and there is no program in it"
+chmod -R u+w "$project"
+call "$project" ./vortree cases
+chmod -R a-w "$project"
+call_as_user "$project" ./vortree test
+expect code $code 1
+expect said "$err" "vortree: cannot write to $project/build, as test needs to"
+
+claim "without sudo a user is told what to ask for"
+apt ${packages/catch2/}; builders
+chmod 777 "$project"
+call_as_user "$project" ./vortree cases
+expect code $code 1
+expect said "$err" "vortree: missing: catch2. There is no sudo here; ask an administrator for: apt-get install catch2"
+expect nothing-done "$(steps)" ""
+
+claim "a user whom sudo refuses is told what to ask for"
+apt ${packages/catch2/}; builders
+chmod 777 "$project"
+tool sudo 'echo "nobody is not in the sudoers file" >&2; exit 1'
+call_as_user "$project" ./vortree cases
+expect code $code 1
+expect said "$err" "*not in the sudoers file*could not install catch2*ask an administrator for: apt-get install catch2"
+
+claim "packages installs what is missing and what is named, and builds nothing"
+apt ${packages/catch2/}; builders
+if ((EUID != 0)); then tool sudo 'exec "$@"'; fi
+call "$project" ./vortree packages clang "libomp-dev"
+expect code $code 0
+expect steps "$(steps)" "noninteractive * update
+noninteractive * install -y --no-install-recommends catch2 clang libomp-dev"
+apt $packages clang
+rm "$project/steps"
+call "$project" ./vortree packages clang
+expect again "$code $(steps)" "0 "
 
 ((failures == 0)) && echo "all claims hold"
 exit $((failures > 0))
