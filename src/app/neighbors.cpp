@@ -10,6 +10,7 @@
 
 #include "app/clock.hpp"
 #include "app/memory.hpp"
+#include "app/while_reading.hpp"
 #include "bench/neighbor_methods.hpp"
 #include "io/particles.hpp"
 
@@ -35,6 +36,7 @@ void search(bench::NeighborMethod& method, const bench::NeighborJob& job, tree::
 
 // 64-bit counts, 32-bit numbers of particles.
 io::Particles read_particles(const NeighborsJob& job) {
+  const WhileReading reading(job.in);
   auto particles = io::read_particles(job.in, {.reach = io::Need::required});
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
   if (particles.x.size() > most) {

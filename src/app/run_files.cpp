@@ -12,6 +12,7 @@
 
 #include "app/places.hpp"
 #include "app/say.hpp"
+#include "app/while_reading.hpp"
 #include "io/files.hpp"
 #include "vortex/energy.hpp"
 
@@ -75,6 +76,7 @@ void RunFiles::begin() {
 
 io::Frame RunFiles::last_frame() const {
   const fs::path file = folder_ / "frames.h5";
+  const WhileReading reading(file);
   io::RecoveredFrames found = io::read_last_good(file);
   if (!found.warning.empty()) say_line(found.warning);
   if (!found.last) throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));

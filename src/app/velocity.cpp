@@ -9,6 +9,7 @@
 
 #include "app/clock.hpp"
 #include "app/memory.hpp"
+#include "app/while_reading.hpp"
 #include "bench/accuracy.hpp"
 #include "bench/methods.hpp"
 #include "io/particles.hpp"
@@ -47,12 +48,17 @@ io::Json if_any(const std::optional<Value>& value) {
   return value ? io::Json(*value) : io::Json();
 }
 
+io::Particles read(const std::filesystem::path& file, io::Columns columns) {
+  const WhileReading reading(file);
+  return io::read_particles(file, columns);
+}
+
 Problem read_problem(const VelocityJob& job) {
   using enum io::Need;
   Problem problem;
-  problem.sources = io::read_particles(job.in, {.gamma = required, .sigma = optional});
+  problem.sources = read(job.in, {.gamma = required, .sigma = optional});
   problem.elsewhere = !job.targets.empty();
-  if (problem.elsewhere) problem.targets = io::read_particles(job.targets);
+  if (problem.elsewhere) problem.targets = read(job.targets, {});
   problem.u.resize(problem.points().size());
   problem.v.resize(problem.points().size());
   return problem;

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "io/files.hpp"
+#include "io/quote.hpp"
 
 namespace vortree::io {
 namespace {
@@ -70,7 +71,10 @@ void Table::take_row(std::string_view line, int line_number) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const auto value =
         cells[i].empty() ? std::numeric_limits<double>::quiet_NaN() : number(cells[i]);
-    if (!value) refuse(fmt::format("{} is \"{}\"; a number was expected", names_[i], cells[i]));
+    if (!value) {
+      refuse(fmt::format("{} is {}; a number was expected", shortened(names_[i], 40),
+                         quote(shortened(cells[i], 40))));
+    }
     values_.push_back(*value);
   }
 }
@@ -83,7 +87,7 @@ std::vector<double> Table::column(std::string_view name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end()) {
     throw InputError(fmt::format("{}: there is no column {}; the file has {}", file_.string(), name,
-                                 fmt::join(names_, ", ")));
+                                 shortened(fmt::format("{}", fmt::join(names_, ", ")), 120)));
   }
   const auto at = static_cast<std::size_t>(found - names_.begin());
   std::vector<double> values;
