@@ -21,7 +21,11 @@ namespace vortree::tree::kernel {
 using Hits = std::conditional_t<(single_count > 8), std::uint16_t, std::uint8_t>;
 
 /// What is in doubt: |threshold - d2| <= doubt (threshold + h2), h the largest coordinate of the
-/// particle tested. Rounding makes less than 2^-20 of it (see row_search.cpp).
+/// particle tested. Positions as floats are off by 2^-24 of themselves (and 2^-51 from doubles):
+/// those of the other by at most 2^-24 (d + h). So d is off by less than 2^-23 (d + h), each axis,
+/// d2 by less than 2^-22 (1.5 d2 + h2), and, with its own operations, by 2^-22 (2 d2 + h2); the
+/// threshold by 2^-22 of itself. Where d2 is near the threshold that is less than 2^-20 of
+/// threshold + h2.
 inline constexpr float doubt = 0x1p-19f;
 
 /// What a pair rule keeps of each reach r: r^2 or r/2.
@@ -50,6 +54,10 @@ inline Singles greater(Singles a, Singles b) {
 inline Hits less(Singles a, Singles b) {
   return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LT_OQ);
 }
+/// Not a > b: true for infinities of one sign and for NaNs.
+inline Hits not_above(Singles a, Singles b) {
+  return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_NGT_UQ);
+}
 inline void store_close(float* to, Singles a, Hits lanes) {
   _mm512_storeu_ps(to, _mm512_maskz_compress_ps(lanes, (__m512)a));
 }
@@ -70,6 +78,9 @@ inline Singles greater(Singles a, Singles b) {
 }
 inline Hits less(Singles a, Singles b) {
   return static_cast<Hits>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LT_OQ)));
+}
+inline Hits not_above(Singles a, Singles b) {
+  return static_cast<Hits>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_NGT_UQ)));
 }
 
 // For every set of lanes, which lane goes where.
@@ -114,6 +125,12 @@ inline Hits less(Singles a, Singles b) {
   const SingleBits condition = a < b;
   Hits lanes = 0;
   for (int i = 0; i < single_count; ++i) lanes |= condition[i] != 0 ? 1u << i : 0u;
+  return lanes;
+}
+inline Hits not_above(Singles a, Singles b) {
+  const SingleBits condition = a > b;
+  Hits lanes = 0;
+  for (int i = 0; i < single_count; ++i) lanes |= condition[i] == 0 ? 1u << i : 0u;
   return lanes;
 }
 inline void store_close(float* to, Singles a, Hits lanes) {

@@ -10,8 +10,14 @@ namespace vortree::tree {
 
 namespace {
 
-// Beyond this, squares of floats are not safe from overflow.
-constexpr float largest_float = 1e9f;
+// Beyond this, squares of floats are not safe from overflow; fillers are ten times as far.
+constexpr float largest_float = 1e17f, nowhere = 1e18f;
+
+// Of a neighbor that is as near as its reach r allows, the distance to the box as a float is less
+// than r (1 + 2^-22): the half width makes up for rounded positions. The squares and their sum add
+// less than 2^-21, rounded reaches 2^-22: a limit longer by 1e-4 drops nobody. The second number
+// makes up for squares that underflow.
+constexpr float longer = 1.0001f, least_limit = 1e-37f;
 
 constexpr std::size_t in_registers(std::size_t n) {
   return (n + single_count - 1) / single_count;
@@ -27,12 +33,20 @@ Candidates::Frame Candidates::frame(const Placed& placed, Range own, double leng
     low = std::min(low, placed.y[p]), high = std::max(high, placed.y[p]);
     largest = std::max(largest, placed.reach[p]);
   }
-  // A little wider than it is, so that rounding drops nobody.
-  const auto half = [&](double from, double to) {
-    return static_cast<float>((to - from) / 2 / length * (1 + 0x1p-20));
+  // Any place will do as the middle, and the rounded one is off by as much as coordinates are: the
+  // half width is how far the box goes from there. Of positions x, |x - middle| is rounded by three
+  // operations in doubles and once to a float, less than (1 + 2^-23); the half width by as much. So
+  // a half width that is 2^-20 longer holds all own ones as floats, whatever the coordinates are.
+  const double middle_x = left + (right - left) / 2, middle_y = low + (high - low) / 2;
+  const auto half = [&](double from, double middle, double to) {
+    return static_cast<float>(std::max(middle - from, to - middle) / length * (1 + 0x1p-20));
   };
-  return {left + (right - left) / 2, low + (high - low) / 2, 1 / length,
-          half(left, right),         half(low, high),        static_cast<float>(largest / length)};
+  return {middle_x,
+          middle_y,
+          1 / length,
+          half(left, middle_x, right),
+          half(low, middle_y, high),
+          static_cast<float>(largest / length)};
 }
 
 template <PairRule rule>
@@ -62,8 +76,8 @@ void Candidates::add(const Placed& placed, Range others, const Frame& frame) {
     }
     const Singles du = kernel::greater(kernel::magnitude(u) - frame.half_u, zero);
     const Singles dv = kernel::greater(kernel::magnitude(v) - frame.half_v, zero);
-    const Singles limit = kernel::threshold<rule>(own, term) * 1.0001f + 1e-37f;
-    const auto keep = static_cast<kernel::Hits>(kernel::less(du * du + dv * dv, limit) &
+    const Singles limit = kernel::threshold<rule>(own, term) * longer + least_limit;
+    const auto keep = static_cast<kernel::Hits>(kernel::not_above(du * du + dv * dv, limit) &
                                                 kernel::first_singles(others.last - k));
     kept_.push_back(keep);
     if (keep == 0) continue;
@@ -82,7 +96,7 @@ void Candidates::add(const Placed& placed, Range others, const Frame& frame) {
 void Candidates::close() {
   registers_ = in_registers(size_);
   for (std::size_t k = size_; k < registers_ * single_count; ++k) {
-    u_[k] = v_[k] = 1e12f;
+    u_[k] = v_[k] = nowhere;
     reach_[k] = 0;
   }
 }

@@ -50,7 +50,8 @@ class Neighbors {
   ///
   /// reach   one for each point [m]
   /// throws  std::invalid_argument if sizes differ, if there are 2^31 points or more, or naming the
-  ///         first coordinate that is not finite or the first reach that is negative or not finite
+  ///         first coordinate that is not finite or exceeds largest_coordinate (points.hpp), or the
+  ///         first reach that is negative or not finite
   void place(Points points, std::span<const double> reach);
 
   /// Places particles no deeper than in a given tree, which is no longer needed afterwards.

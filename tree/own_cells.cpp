@@ -44,7 +44,8 @@ void for_each_portion(std::size_t n, const Work& work) {
 // The domain so much larger that the cells of some level are as wide as the largest reach.
 Domain fit(const Domain& tight, double largest) {
   const double wide = largest * (1 + 0x1p-17);
-  if (!(wide > 0 && wide < tight.side && tight.side < 0x1p1000)) return tight;
+  const double finest = tight.cell_side(kernel::deepest_own);
+  if (!(wide > finest && wide < tight.side && tight.side < 0x1p1000)) return tight;
   const double cells = tight.side / wide;
   return enlarge(tight, std::exp2(std::ceil(std::log2(cells))) / cells);
 }
@@ -208,6 +209,11 @@ Quadtree OwnCells::tree(std::uint32_t few) const {
     return level[inside.last - 1] > block.level && first[inside.last] - first[inside.first] > few;
   };
   return build_reverse({domain, kernel::deepest_own, corner, count_up(size())}, must_split);
+}
+
+void check_particles(Points points, std::span<const double> reach) {
+  (void)enclose(points);
+  (void)extremes(reach);
 }
 
 OwnCells sort_into_own_cells(Points points, std::span<const double> reach, Placed& placed) {

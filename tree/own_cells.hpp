@@ -35,6 +35,13 @@ struct OwnCells {
   [[nodiscard]] Quadtree tree(std::uint32_t few) const;
 };
 
+/// Refuses particles that no list can be made of.
+///
+/// cost     O(n)
+/// throws   std::invalid_argument naming the first coordinate that is not finite or exceeds
+///          largest_coordinate, or the first reach that is negative or not finite
+void check_particles(Points points, std::span<const double> reach);
+
 /// Sorts particles by their own cells, in a domain so much larger than the points that the cells of
 /// some level are as wide as the largest reach: where reaches are halved from level to level,
 /// particles fill their cells.
@@ -43,8 +50,7 @@ struct OwnCells {
 /// placed   the particles cell by cell, those of a cell in input order; overwritten
 /// cost     O(n), a radix sort; 16 bytes a particle beyond what is returned (where sides of the
 ///          domain and of the smallest cell are 2^20 and more apart, 28)
-/// throws   std::invalid_argument naming the first coordinate that is not finite, or the first
-///          reach that is negative or not finite
+/// throws   as check_particles
 [[nodiscard]] OwnCells sort_into_own_cells(Points points, std::span<const double> reach,
                                            Placed& placed);
 

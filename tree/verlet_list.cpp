@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -12,8 +13,17 @@ namespace vortree::tree {
 
 namespace {
 
-// Shorter by more than rounding can make of moves and reaches.
-constexpr double prudence = 1 - 1e-9;
+// How far a particle may move, in reaches: less than half the skin by more than rounding can make
+// of moves (some 2^-52 of themselves), and of the distances and reaches of the rule (2^-51 of a
+// reach, then and now), however thin the skin is.
+double may_move(double skin) {
+  return std::max(0.0, skin / 2 * (1 - 0x1p-30) - 0x1p-48);
+}
+
+// The squares may overflow or underflow.
+bool stays(double dx, double dy, double far) {
+  return (dx == 0 && dy == 0) || within<PairRule::own>(dx, dy, far, 0);
+}
 
 template <PairRule rule>
 void keep_neighbors(Points p, std::span<const double> reach, const Rows& all, Rows& rows) {
@@ -54,12 +64,12 @@ bool VerletList::outdated(Points points, std::span<const double> reach) const {
   }
   if (!built_ || points.size() != x_.size()) return true;
   const double least = reach.empty() ? 0 : std::ranges::min(reach);
+  const double may = may_move(skin_);
   bool outdated = false;
   for (std::size_t k = 0; k < x_.size(); ++k) {
-    const double dx = points.x[k] - x_[k], dy = points.y[k] - y_[k];
-    const double may = prudence * skin_ / 2 * (rule_ == PairRule::own ? least : reach[k]);
-    // Not "moved too far" but "not within": NaN is outdated, too.
-    outdated |= !(dx * dx + dy * dy <= may * may) | !(reach[k] <= reach_[k]);
+    const double far = may * (rule_ == PairRule::own ? least : reach[k]);
+    // Not "moved too far" but "stays": NaN is outdated, too.
+    outdated |= !stays(points.x[k] - x_[k], points.y[k] - y_[k], far) | !(reach[k] <= reach_[k]);
   }
   return outdated;
 }
@@ -67,7 +77,10 @@ bool VerletList::outdated(Points points, std::span<const double> reach) const {
 void VerletList::rebuild(Points points, std::span<const double> reach) {
   built_ = false;
   wide_.assign(reach.begin(), reach.end());
-  for (double& r : wide_) r *= 1 + skin_;
+  // No particles are as far apart as the largest double.
+  for (double& r : wide_) {
+    if (std::isfinite(r)) r = std::min(r * (1 + skin_), std::numeric_limits<double>::max());
+  }
   search_.place(points, wide_);
   search_.list(rule_, listing_, rows_);
   x_.assign(points.x.begin(), points.x.end());

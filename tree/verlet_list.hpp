@@ -11,8 +11,9 @@ namespace vortree::tree {
 /// and hold all neighbors until some particle has moved half of its skin.
 ///
 ///   listed:   |x_i - x_j| < pair_reach((1 + skin) r_i, (1 + skin) r_j)   when it was built
-///   valid:    each particle k has moved at most skin r_k / 2 since; under rule own, at most
-///             skin min_k r_k / 2: there a fine particle looks at coarse ones that move far
+///   valid:    each particle k has moved at most skin r_k / 2 since, less what rounding may make of
+///             lengths; under rule own, at most skin min_k r_k / 2: there a fine particle looks at
+///             coarse ones that move far
 ///
 /// A step that splits or merges particles, or makes any reach longer, needs a new list.
 ///

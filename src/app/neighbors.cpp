@@ -13,6 +13,7 @@
 #include "app/while_reading.hpp"
 #include "bench/neighbor_methods.hpp"
 #include "io/particles.hpp"
+#include "tree/own_cells.hpp"
 
 namespace vortree::app {
 namespace {
@@ -42,6 +43,12 @@ io::Particles read_particles(const NeighborsJob& job) {
   if (particles.x.size() > most) {
     throw io::InputError(fmt::format("{}: {} particles; at most {} can be listed", job.in.string(),
                                      particles.x.size(), most));
+  }
+  // Once for all methods.
+  try {
+    tree::check_particles({particles.x, particles.y}, particles.reach);
+  } catch (const std::invalid_argument& refused) {
+    throw io::InputError(fmt::format("{}: {}", job.in.string(), refused.what()));
   }
   return particles;
 }

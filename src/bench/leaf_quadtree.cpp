@@ -26,7 +26,7 @@ class LeafQuadtree : public RowByRow<LeafQuadtree> {
     for (std::size_t c = cells.size(); c-- > 0;) {
       const tree::Cell& cell = cells[c];
       Node& node = nodes_[c];
-      node = {tree_.centre(cell), tree_.side(cell.level) * (0.5 + 1e-9), 0};
+      node = {tree_.centre(cell), half_side(cell), 0};
       for (std::uint32_t k = cell.children.first; k < cell.children.last; ++k) {
         node.largest = std::max(node.largest, nodes_[k].largest);
       }
@@ -60,13 +60,22 @@ class LeafQuadtree : public RowByRow<LeafQuadtree> {
   }
 
  private:
+  // Half the side, a little longer: codes are rounded by 2^-20 of a cell of level 31 (sort.hpp),
+  // centres and distances from them by some last bits of the coordinates.
+  [[nodiscard]] double half_side(const tree::Cell& cell) const {
+    const tree::Domain& domain = tree_.domain();
+    const double farthest = std::max(std::abs(domain.x0), std::abs(domain.y0)) + domain.side;
+    return 0.5 * tree_.side(cell.level) + 0x1p-18 * domain.cell_side(tree::max_level) +
+           0x1p-50 * farthest;
+  }
+
   struct Node {
     tree::Centre centre;
     double half;
     double largest;  // reach inside
     template <PairRule rule>
     [[nodiscard]] bool overlaps(double x, double y, double reach) const {
-      const double r = tree::pair_reach<rule>(reach, largest) * (1 + 1e-9) + half;
+      const double r = tree::pair_reach<rule>(reach, largest) * (1 + 0x1p-50) + half;
       return std::abs(x - centre.x) <= r && std::abs(y - centre.y) <= r;
     }
   };

@@ -12,9 +12,6 @@ namespace {
 using tree::PairRule;
 using tree::Range;
 
-// So much wider than rounding, so much narrower than what matters.
-constexpr double margin = 1 + 1e-9;
-
 // Finer levels are not told apart.
 constexpr int most_levels = 24;
 
@@ -35,9 +32,10 @@ struct Grid {
 
   // Cells as wide as the largest reach, but not many more than particles.
   void lay_cells() {
-    const double area = (right - left) * (high - low), extent = std::max(right - left, high - low);
+    const double width = right - left, height = high - low, extent = std::max(width, height);
     const double n = static_cast<double>(count);
-    side = std::max({largest * margin, std::sqrt(area / n) / 2, extent / n, extent * 1e-9, 1e-300});
+    const double roomy = std::sqrt(width) * std::sqrt(height) / std::sqrt(n) / 2;
+    side = std::max({largest * (1 + 1e-9), roomy, extent / n, extent * 1e-9, 1e-300});
     columns = count == 0 ? 0 : column(right) + 1;
     rows = count == 0 ? 0 : row(high) + 1;
     first.assign(static_cast<std::size_t>(columns) * rows + 1, 0);
@@ -49,10 +47,11 @@ struct Grid {
     return static_cast<std::uint32_t>(row(y)) * columns + column(x);
   }
 
-  // The runs of particles that may be within `reach` of a box.
+  // The runs of particles that may be within `reach` of a box. Rounding is monotone: nobody who is
+  // within it along either axis is left out for the sake of the last bit.
   void name(double x0, double x1, double y0, double y1, double reach,
             std::vector<Range>& runs) const {
-    const double r = reach * margin;
+    const double r = reach;
     if (count == 0 || x1 + r < left || x0 - r > right || y1 + r < low || y0 - r > high) return;
     const int c0 = x0 - r <= left ? 0 : column(x0 - r);
     const int c1 = x1 + r >= right ? columns - 1 : column(x1 + r);
@@ -103,7 +102,7 @@ class LevelGrids : public NeighborMethod {
       const double reach = job.reach[i];
       // Half of the largest reach is the first of the next level.
       const int halvings =
-          reach > 0 ? std::min(std::ilogb(largest / reach * margin), levels_ - 1) : levels_ - 1;
+          reach > 0 ? std::min(std::ilogb(largest / reach * (1 + 1e-9)), levels_ - 1) : levels_ - 1;
       level_[i] = static_cast<std::uint8_t>(halvings);
       grids_[halvings].include(job.points.x[i], job.points.y[i], reach);
     }

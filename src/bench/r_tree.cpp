@@ -1,12 +1,13 @@
+#include <algorithm>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "bench/exact_pairs.hpp"
 #include "bench/row_writer.hpp"
+#include "tree/points.hpp"
 
 // Compiled without fused operations: see tree/pair_rule.hpp.
 namespace vortree::bench {
@@ -18,9 +19,10 @@ using tree::PairRule;
 using Place = bg::model::point<double, 2, bg::cs::cartesian>;
 using Box = bg::model::box<Place>;
 
-// A little wider than the reach, for rounding; never without an inside.
+// Neighbors are nearer than the reach along either axis, and rounding is monotone: no margin. No
+// coordinate is beyond, and the packing takes means of sides.
 Box box_around(double x, double y, double reach) {
-  const double r = reach * (1 + 1e-9);
+  const double r = std::min(reach, 4 * tree::largest_coordinate);
   return {{x - r, y - r}, {x + r, y + r}};
 }
 
