@@ -167,6 +167,13 @@ inline Singles near_floats(const double* from, double origin, double scale) {
   return joined(__builtin_convertvector(a, HalfSingles), __builtin_convertvector(b, HalfSingles));
 }
 
+/// Which of a register full of floats' many doubles are above 0.
+inline Hits positive(const double* values) {
+  unsigned lanes = 0;
+  for (int i = 0; i < single_count; ++i) lanes |= static_cast<unsigned>(values[i] > 0) << i;
+  return static_cast<Hits>(lanes);
+}
+
 /// The square of a pair's reach, from both reach terms.
 template <PairRule rule>
 inline Singles threshold(Singles own, Singles other) {

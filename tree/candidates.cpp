@@ -46,7 +46,8 @@ Candidates::Frame Candidates::frame(const Placed& placed, Range own, double leng
           1 / length,
           half(left, middle_x, right),
           half(low, middle_y, high),
-          static_cast<float>(largest / length)};
+          static_cast<float>(largest / length),
+          !(largest > 0)};
 }
 
 template <PairRule rule>
@@ -62,7 +63,8 @@ void Candidates::add_own(const Placed& placed, Range own, const Frame& frame) {
   size_ = own.size();
 }
 
-template <PairRule rule>
+// Those that reach nobody do not look at each other, however many lie in one place.
+template <PairRule rule, bool quiet>
 void Candidates::add(const Placed& placed, Range others, const Frame& frame) {
   const Singles zero{}, own = fill(kernel::reach_term<rule>(frame.largest));
   Singles farthest = fill(farthest_);
@@ -77,8 +79,9 @@ void Candidates::add(const Placed& placed, Range others, const Frame& frame) {
     const Singles du = kernel::greater(kernel::magnitude(u) - frame.half_u, zero);
     const Singles dv = kernel::greater(kernel::magnitude(v) - frame.half_v, zero);
     const Singles limit = kernel::threshold<rule>(own, term) * longer + least_limit;
-    const auto keep = static_cast<kernel::Hits>(kernel::not_above(du * du + dv * dv, limit) &
-                                                kernel::first_singles(others.last - k));
+    auto keep = static_cast<kernel::Hits>(kernel::not_above(du * du + dv * dv, limit) &
+                                          kernel::first_singles(others.last - k));
+    if constexpr (quiet) keep &= kernel::positive(placed.reach.data() + k);
     kept_.push_back(keep);
     if (keep == 0) continue;
     const Singles far =
@@ -116,7 +119,9 @@ void Candidates::gather(const Placed& placed, Range own, std::span<const Range> 
   const Frame around = frame(placed, own, length);
   farthest_ = around.largest;
   add_own<rule>(placed, own, around);
-  for (const Range range : others) add<rule>(placed, range, around);
+  for (const Range range : others) {
+    around.quiet ? add<rule, true>(placed, range, around) : add<rule, false>(placed, range, around);
+  }
   close();
   const float widest = std::max(around.half_u, around.half_v);
   h2_ = widest * widest + 1e-30f;

@@ -41,11 +41,12 @@ class Candidates {
   struct Frame {
     double x, y, scale;
     float half_u, half_v, largest;  // largest: reach of the own ones
+    bool quiet;                     // all of them are zero
   };
   [[nodiscard]] static Frame frame(const Placed& placed, Range own, double length);
   template <PairRule rule>
   void add_own(const Placed& placed, Range own, const Frame& frame);
-  template <PairRule rule>
+  template <PairRule rule, bool quiet>
   void add(const Placed& placed, Range others, const Frame& frame);
   void close();
   void find_positions();

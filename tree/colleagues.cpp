@@ -33,26 +33,40 @@ class Patch {
   std::array<std::int32_t, 36> place_;
 };
 
+void start(std::size_t cells, std::vector<Colleagues>& colleagues) {
+  colleagues.resize(cells);
+  if (cells == 0) return;
+  colleagues[0] = nobody;
+  colleagues[0][4] = 0;
+}
+
+void give_to_children(std::span<const Cell> cells, std::uint32_t parent,
+                      std::vector<Colleagues>& colleagues) {
+  if (cells[parent].childless()) return;
+  Patch patch(cells, colleagues[parent]);
+  const Range children = cells[parent].children;
+  for (std::uint32_t child = children.first; child < children.last; ++child) {
+    colleagues[child] = patch.around(static_cast<int>(cells[child].key & 3));
+  }
+}
+
 }  // namespace
 
 void find_colleagues(const Quadtree& tree, std::vector<Colleagues>& colleagues) {
   const auto cells = tree.cells();
-  colleagues.resize(cells.size());
-  if (cells.empty()) return;
-  colleagues[0] = nobody;
-  colleagues[0][4] = 0;
+  start(cells.size(), colleagues);
   for (int level = 0; level < tree.depth(); ++level) {
     const Range parents = tree.level(level);
 #pragma omp parallel for schedule(static) if (parents.size() > 2000)
     for (std::uint32_t parent = parents.first; parent < parents.last; ++parent) {
-      if (cells[parent].childless()) continue;
-      Patch patch(cells, colleagues[parent]);
-      const Range children = cells[parent].children;
-      for (std::uint32_t child = children.first; child < children.last; ++child) {
-        colleagues[child] = patch.around(static_cast<int>(cells[child].key & 3));
-      }
+      give_to_children(cells, parent, colleagues);
     }
   }
+}
+
+void find_colleagues(std::span<const Cell> cells, std::vector<Colleagues>& colleagues) {
+  start(cells.size(), colleagues);
+  for (std::uint32_t c = 0; c < cells.size(); ++c) give_to_children(cells, c, colleagues);
 }
 
 }  // namespace vortree::tree

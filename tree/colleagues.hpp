@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tree/quadtree.hpp"
@@ -18,5 +19,9 @@ using Colleagues = std::array<std::int32_t, 9>;
 /// cost         O(cells), no searches
 /// source       Carrier, Greengard & Rokhlin, SIAM J. Sci. Stat. Comput. 9 (1988)
 void find_colleagues(const Quadtree& tree, std::vector<Colleagues>& colleagues);
+
+/// The same of cells of any depth, parents before their children; of a key only the last two bits,
+/// the quarter of the parent, are looked at.
+void find_colleagues(std::span<const Cell> cells, std::vector<Colleagues>& colleagues);
 
 }  // namespace vortree::tree

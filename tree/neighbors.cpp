@@ -1,11 +1,13 @@
 #include "tree/neighbors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "tree/deep_cells.hpp"
 #include "tree/own_cells.hpp"
 
 namespace vortree::tree {
@@ -47,25 +49,35 @@ void Neighbors::place(const Quadtree& tree, Points points, std::span<const doubl
 }
 
 void Neighbors::settle(const OwnCells& own) {
+  if (too_shallow(own, placed_)) {
+    const DeepCells deep = deepen(placed_, few);
+    find_content(deep.cells, deep.level, deep.first);
+    find_colleagues(deep.cells, colleagues_);
+    find_coarser(deep.cells);
+    return make_groups(deep.cells, deep.sides);
+  }
   const Quadtree tree = own.tree(few);
-  find_content(tree.cells(), own);
+  std::array<double, max_level + 1> sides{};
+  for (int level = 0; level <= tree.depth(); ++level) sides[level] = tree.side(level);
+  find_content(tree.cells(), own.level, own.first);
   find_colleagues(tree, colleagues_);
   find_coarser(tree.cells());
-  make_groups(tree);
+  make_groups(tree.cells(), sides);
 }
 
 // In the run of own cells that lie in a cell, those of its ancestors that share its corner come
 // first, then its own: one, or if it is childless all that are left.
-void Neighbors::find_content(std::span<const Cell> cells, const OwnCells& own) {
+void Neighbors::find_content(std::span<const Cell> cells, std::span<const std::int16_t> level,
+                             std::span<const std::uint32_t> particles) {
   content_.resize(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const Range inside = cells[c].points;
     std::uint32_t first = inside.first;
-    while (first < inside.last && own.level[first] < cells[c].level) ++first;
+    while (first < inside.last && level[first] < cells[c].level) ++first;
     std::uint32_t finer = first;
-    while (finer < inside.last && own.level[finer] == cells[c].level) ++finer;
+    while (finer < inside.last && level[finer] == cells[c].level) ++finer;
     if (cells[c].childless()) finer = inside.last;
-    content_[c] = {own.first[first], own.first[finer], own.first[inside.last]};
+    content_[c] = {particles[first], particles[finer], particles[inside.last]};
   }
 }
 
@@ -84,9 +96,8 @@ void Neighbors::find_coarser(std::span<const Cell> cells) {
 }
 
 // In search order, so that what lies together is searched together.
-void Neighbors::make_groups(const Quadtree& tree) {
+void Neighbors::make_groups(std::span<const Cell> cells, std::span<const double> sides) {
   groups_.clear();
-  const auto cells = tree.cells();
   std::vector<std::uint32_t> path;
   if (!cells.empty()) path.push_back(0);
   while (!path.empty()) {
@@ -95,7 +106,7 @@ void Neighbors::make_groups(const Quadtree& tree) {
     const Range own{content_[c].first, content_[c].finer};
     for (std::uint32_t first = own.first; first < own.last; first += largest_group) {
       groups_.push_back(
-          {{first, std::min(own.last, first + largest_group)}, c, tree.side(cells[c].level)});
+          {{first, std::min(own.last, first + largest_group)}, c, sides[cells[c].level]});
     }
     if (content_[c].finer == content_[c].last) continue;
     for (std::uint32_t k = cells[c].children.last; k-- > cells[c].children.first;)
@@ -124,6 +135,19 @@ void Neighbors::name_candidates(const Group& group, Listing listing,
       if (k >= 0) others.push_back({content_[k].first, content_[k].finer});
     }
   }
+}
+
+std::uint64_t Neighbors::candidates(Listing listing) const {
+  std::uint64_t sum = 0;
+  std::vector<Range> others;
+  for (const Group& group : groups_) {
+    others.clear();
+    name_candidates(group, listing, others);
+    std::uint64_t looked_at = group.own.size();
+    for (const Range range : others) looked_at += range.size();
+    sum += looked_at * group.own.size();
+  }
+  return sum;
 }
 
 void Neighbors::list(PairRule rule, Listing listing, Rows& rows) {

@@ -35,10 +35,12 @@ namespace vortree::tree {
 /// tree/pair_rule.hpp says so. Threads share the work; lists do not depend on their number.
 ///
 /// Any reach will do: from zero to far beyond the domain, continuous or halved from level to level.
+/// So will any cloud: where 29 levels do not tell particles apart (clusters far smaller than the
+/// whole, an outlier far away), cells go on below (deep_cells.hpp).
 ///
 /// cost    O(n) for placing; for each particle its candidates, some three for each neighbor. Memory
 ///         kept: 28 bytes a particle, 50 a cell, 24 a group, a bit or two a candidate; while
-///         particles are sorted 32 more
+///         particles are sorted 32 more, 40 where cells go on below
 /// source  Khorasanizade & Sousa 2019, Quadtree Cells Grid, corrected: pairs are sought from the
 ///         coarser side, where neighbors two or more levels apart are not missed; each once;
 ///         cells come from the tree, so none stays split when its fine particles have gone, and no
@@ -71,6 +73,10 @@ class Neighbors {
   /// Shows every particle that has neighbors, with them, to a visitor; no list is stored.
   void visit(PairRule rule, Listing listing, const RowVisitor& visitor);
 
+  /// How many candidates all particles have together: so many tests a list may cost at most, most
+  /// of them spared as a group thins out its candidates first.
+  [[nodiscard]] std::uint64_t candidates(Listing listing) const;
+
   /// The particles in search order.
   [[nodiscard]] const Placed& placed() const { return placed_; }
 
@@ -84,9 +90,10 @@ class Neighbors {
   };
 
   void settle(const OwnCells& own);
-  void find_content(std::span<const Cell> cells, const OwnCells& own);
+  void find_content(std::span<const Cell> cells, std::span<const std::int16_t> level,
+                    std::span<const std::uint32_t> particles);
   void find_coarser(std::span<const Cell> cells);
-  void make_groups(const Quadtree& tree);
+  void make_groups(std::span<const Cell> cells, std::span<const double> sides);
   void name_candidates(const Group& group, Listing listing, std::vector<Range>& others) const;
 
   Placed placed_;

@@ -158,7 +158,7 @@ OwnCells lay_out(const Particles& particles, const Frame& frame, const Sorted& s
   for (std::size_t c = 0; c < cells.first.size(); ++c) {
     const Key address = sorted(cells.first[c]).address;
     cells.corner[c] = frame.addresses.corner(address);
-    cells.level[c] = static_cast<std::uint8_t>(frame.addresses.level(address));
+    cells.level[c] = static_cast<std::int16_t>(frame.addresses.level(address));
   }
   cells.first.push_back(static_cast<std::uint32_t>(n));
   return cells;

@@ -24,7 +24,7 @@ namespace vortree::tree {
 struct OwnCells {
   Domain domain;
   Unwritten<Key> corner;
-  std::vector<std::uint8_t> level;
+  std::vector<std::int16_t> level;
   std::vector<std::uint32_t> first;
 
   [[nodiscard]] std::size_t size() const { return corner.size(); }
