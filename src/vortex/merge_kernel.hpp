@@ -19,6 +19,18 @@ namespace stdx = std::experimental;
 using Lanes = stdx::native_simd<float>;
 using Lone = stdx::simd<float, stdx::simd_abi::scalar>;  // the plain twin
 
+/// where(chosen, to) = value, which libstdc++ 12 does to all lanes or none when clang compiles it
+/// for AVX-512.
+template <class V>
+[[gnu::always_inline]] inline void assign(const typename V::mask_type& chosen, V& to,
+                                          const V& value) {
+#if defined(__clang__) && defined(__AVX512F__)
+  to = V([&](auto k) { return chosen[k] ? float{value[k]} : float{to[k]}; });
+#else
+  where(chosen, to) = value;
+#endif
+}
+
 constexpr float never = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t none = ~0u;
 
@@ -70,7 +82,7 @@ template <class V>
                                       const Limits& limits) {
   const auto [cost, within] = price(a, b, limits);
   V result = never;
-  where(within && cost <= V(limits.tolerance), result) = cost;
+  assign(within && cost <= V(limits.tolerance), result, cost);
   return result;
 }
 
@@ -140,8 +152,8 @@ class Seekers {
       const auto [e, within] = price(seekers, columns.template lone<V>(number), limits);
       const V candidate = tag(number);
       const auto better = within && e < least && own != candidate;
-      where(better, least) = e;
-      where(better, partner) = candidate;
+      assign(better, least, e);
+      assign(better, partner, candidate);
     });
     least.copy_to(errors_.data(), stdx::element_aligned);
     partner.copy_to(partners_.data(), stdx::element_aligned);
