@@ -2,17 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <array>
+#include <initializer_list>
+#include <span>
 #include <string_view>
 #include <utility>
 
+#include "app/older_run.hpp"
+#include "app/output_folder.hpp"
 #include "app/plot.hpp"
+#include "app/say.hpp"
 #include "bench/neighbor_bench.hpp"
 #include "bench/neighbor_uses.hpp"
 #include "bench/tree_bench.hpp"
 #include "bench/velocity_bench.hpp"
 #include "io/files.hpp"
-#include "io/input_error.hpp"
 #include "io/read_frames.hpp"
 
 namespace vortree::app {
@@ -23,44 +27,46 @@ namespace {
 
 constexpr std::size_t most_moments = 4;
 
-fs::path made_folder(const BenchJob& job, std::string_view what) {
-  const fs::path folder =
-      job.out.empty() ? fs::path("runs") / fmt::format("bench_{}", what) : job.out;
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed) throw io::InputError(fmt::format("{}: {}", folder.string(), failed.message()));
-  return folder;
+fs::path folder_of(const BenchJob& job, std::string_view what) {
+  return job.out.empty() ? fs::path("runs") / fmt::format("bench_{}", what) : job.out;
 }
 
-// The table of a bench in a folder that is there and can be written to.
-fs::path table_for(const BenchJob& job, std::string_view what) {
-  const fs::path csv = made_folder(job, what) / fmt::format("{}.csv", what);
-  io::require_writable(csv);
-  return csv;
+// Tables that a bench may write.
+void require_tables(const fs::path& folder, std::initializer_list<const char*> names,
+                    const BenchJob& job, std::span<const fs::path> inputs = {}) {
+  for (const char* name : names) {
+    io::require_writable(folder / name, inputs);
+    if (!job.overwrite) refuse_older_table(folder / name);
+  }
 }
 
-void say(std::string_view line) {
-  fmt::print("{}\n", line);
-  std::fflush(stdout);
+void say_row(std::string_view line) {
+  tell("{}\n", line);
 }
 
 }  // namespace
 
 void bench_velocity(const BenchJob& job) {
-  const fs::path csv = table_for(job, "velocity");
-  bench::velocity_bench({csv, job.quick, job.threads, job.largest}, say);
-  plot(csv.parent_path(), "velocity");
+  const OutputFolder folder(folder_of(job, "velocity"));
+  require_tables(folder.path(), {"velocity.csv"}, job);
+  bench::velocity_bench({folder.path() / "velocity.csv", job.quick, job.threads, job.largest},
+                        say_row);
+  plot(folder.path(), "velocity");
 }
 
 void bench_neighbors(const BenchJob& job) {
-  const fs::path csv = table_for(job, "neighbors");
-  bench::neighbor_bench({csv, job.quick, job.threads, job.largest}, say);
-  bench::neighbor_uses(csv.parent_path(), job.quick, job.largest, say);
-  plot(csv.parent_path(), "neighbors");
+  const OutputFolder folder(folder_of(job, "neighbors"));
+  require_tables(folder.path(), {"neighbors.csv", "sph.csv", "moving.csv", "cells.csv"}, job);
+  bench::neighbor_bench({folder.path() / "neighbors.csv", job.quick, job.threads, job.largest},
+                        say_row);
+  bench::neighbor_uses(folder.path(), job.quick, job.largest, say_row);
+  plot(folder.path(), "neighbors");
 }
 
 void bench_trees(const TreeBenchJob& job) {
-  bench::TreeBench trees{.folder = made_folder(job, "trees"),
+  const OutputFolder folder(folder_of(job, "trees"));
+  require_tables(folder.path(), {"trees.csv", "trees_reuse.csv"}, job, std::array{job.blobs});
+  bench::TreeBench trees{.folder = folder.path(),
                          .quick = job.quick,
                          .threads = job.threads,
                          .largest = job.largest,
@@ -72,9 +78,7 @@ void bench_trees(const TreeBenchJob& job) {
       if (set.size() > 0) trees.flows.push_back({fmt::format("flow_t{:g}", frame.time), set});
     }
   }
-  for (const char* name : {"trees.csv", "trees_reuse.csv"})
-    io::require_writable(trees.folder / name);
-  bench::tree_bench(trees, say);
+  bench::tree_bench(trees, say_row);
   plot(trees.folder, "trees");
 }
 

@@ -8,6 +8,7 @@ namespace vortree::app {
 struct BenchJob {
   std::filesystem::path out;  // empty: runs/bench_WHAT
   bool quick = false;
+  bool overwrite = false;   // older tables in `out` may be replaced
   int threads = 0;          // measured beside one thread; 0: all
   std::size_t largest = 0;  // most blobs or particles of a set; 0: as the bench says
 };
@@ -20,7 +21,7 @@ struct TreeBenchJob : BenchJob {
 /// Measures the velocity methods, a line each on standard output; leaves velocity.csv and its
 /// figures in a folder.
 ///
-/// throws  io::InputError if the folder cannot be written to
+/// throws  io::InputError if the folder cannot be written to, or holds such tables already
 void bench_velocity(const BenchJob& job);
 
 /// Measures the ways to a tree, a line each on standard output; leaves trees.csv, trees_reuse.csv

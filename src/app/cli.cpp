@@ -4,8 +4,11 @@
 #include <omp.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <charconv>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <limits>
@@ -89,6 +92,10 @@ CLI::Validator whole() {
 
 constexpr int most_threads = 4096, most_repeats = 1000000;
 
+/// An empty one is what a script leaves of a variable that it has not set: not the default.
+const CLI::Validator a_name(
+    [](const std::string& word) { return word.empty() ? "the name is empty" : std::string(); }, "");
+
 void add_threads(CLI::App& command, Words& words) {
   command.add_option("--threads", words.threads, "threads; all by default")
       ->check(within(1, most_threads))
@@ -110,8 +117,12 @@ void add_run(CLI::App& program, Words& words) {
   auto& command = *program.add_subcommand("run", "run a scene");
   add_scene(command, words.run.scene, words.run.overrides);
   command.add_option("--out", words.run.out, "folder for the results; by default runs/SCENE")
+      ->check(a_name)
       ->type_name("DIR");
-  command.add_flag("--resume", words.run.resume, "go on from the last frame in that folder");
+  auto* resume =
+      command.add_flag("--resume", words.run.resume, "go on from the last frame in that folder");
+  command.add_flag("--overwrite", words.run.overwrite, "replace the run that is in that folder")
+      ->excludes(resume);
   add_threads(command, words);
   command.footer(
       "example: vortree run cylinder_re550 time.end=1 --out runs/short\n"
@@ -135,7 +146,10 @@ void add_velocity(CLI::App& program, Words& words) {
       .add_option("IN", job.in,
                   "HDF5 file with x, y, gamma and, unless they are bare vortices, sigma")
       ->required();
-  command.add_option("--out", job.out, "HDF5 file for u, v")->required()->type_name("FILE");
+  command.add_option("--out", job.out, "HDF5 file for u, v")
+      ->required()
+      ->check(a_name)
+      ->type_name("FILE");
   command.add_option("--tolerance", job.options.tolerance, "relative L2 error that may be made")
       ->check(must_be<double>("number between 0 and 1", [](double t) { return t > 0 && t < 1; }))
       ->type_name("REAL")
@@ -151,6 +165,7 @@ void add_velocity(CLI::App& program, Words& words) {
   command
       .add_option("--targets", job.targets,
                   "HDF5 file with x, y: velocities there, not at the vortices")
+      ->check(a_name)
       ->type_name("FILE");
   command
       .add_option("--order", job.options.order, "terms of an expansion; 0: as the tolerance needs")
@@ -190,6 +205,7 @@ void add_neighbors(CLI::App& program, Words& words) {
                   "HDF5 file for start (n + 1), index: the neighbors of particle i are "
                   "index[start[i]], ..., index[start[i + 1] - 1]")
       ->required()
+      ->check(a_name)
       ->type_name("FILE");
   command
       .add_option("--rule", job.rule,
@@ -219,7 +235,9 @@ void add_bench(CLI::App& program, Words& words) {
       ->check(CLI::IsMember({"trees", "velocity", "neighbors"}));
   command
       .add_option("--out", words.bench.out, "folder for the results; by default runs/bench_WHAT")
+      ->check(a_name)
       ->type_name("DIR");
+  command.add_flag("--overwrite", words.bench.overwrite, "replace the tables in that folder");
   command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes, not half an hour");
   command
       .add_option("--threads", words.bench.threads, "measured beside one thread; all by default")
@@ -233,6 +251,7 @@ void add_bench(CLI::App& program, Words& words) {
   command
       .add_option("--blobs", words.bench.blobs,
                   "trees: the frames.h5 of a run, of which some moments are measured, too")
+      ->check(a_name)
       ->type_name("FILE");
   command.footer("example: vortree bench velocity --quick --out quick");
 }
@@ -268,20 +287,28 @@ int run_scene(RunOptions options, int threads) {
   }
 }
 
+// Where standard output is the result, it must have arrived.
+int arrived() {
+  if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return done;
+  return complain(fmt::format("standard output cannot be written: {}", std::strerror(errno)),
+                  failed);
+}
+
 int carry_out(const CLI::App& program, const Words& words) {
   if (words.threads > 0) omp_set_num_threads(words.threads);
   if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
-  if (program.got_subcommand("cases")) fmt::print("{}", list_cases());
-  if (program.got_subcommand("check")) fmt::print("{}", check(words.scene, words.overrides));
-  if (program.got_subcommand("velocity")) fmt::print("{}\n", velocity(words.velocity).line());
-  if (program.got_subcommand("neighbors")) fmt::print("{}\n", neighbors(words.neighbors).line());
-  if (program.got_subcommand("bench")) {
+  if (program.got_subcommand("cases")) tell("{}", list_cases());
+  if (program.got_subcommand("check")) tell("{}", check(words.scene, words.overrides));
+  if (program.got_subcommand("velocity")) tell("{}\n", velocity(words.velocity).line());
+  if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors).line());
+  if (program.got_subcommand("bench")) {  // results in files
     if (words.benched == "trees") bench_trees(words.bench);
     if (words.benched == "velocity") bench_velocity(words.bench);
     if (words.benched == "neighbors") bench_neighbors(words.bench);
+    return done;
   }
   if (program.got_subcommand("plot")) plot(words.folder);
-  return done;
+  return arrived();
 }
 
 /// What the memory was wanted for, and how much of it there was.

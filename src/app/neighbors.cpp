@@ -12,6 +12,7 @@
 #include "app/memory.hpp"
 #include "app/while_reading.hpp"
 #include "bench/neighbor_methods.hpp"
+#include "io/files.hpp"
 #include "io/particles.hpp"
 #include "tree/own_cells.hpp"
 
@@ -81,7 +82,7 @@ io::Json neighbors(const NeighborsJob& job) {
   const auto method = bench::neighbor_method(job.method).make();
   Stopwatch files;
   files.begin("io");
-  io::check_writable(job.out);
+  io::require_writable(job.out, std::array{job.in});
   const io::Particles particles = read_particles(job);
   files.end();
 

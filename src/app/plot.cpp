@@ -55,7 +55,10 @@ for script in scripts:
     except Exception as error:
         traceback.print_exc()
         sys.exit(f"{script}: {type(error).__name__}: {error}")
-    sys.stdout.flush()
+    try:
+        sys.stdout.flush()
+    except OSError:  # nobody listens
+        sys.stdout = open(os.devnull, "w")
 )";
 
 // Exit code of the scripts, and what they wrote on standard error.

@@ -9,7 +9,9 @@
 #include "app/advice.hpp"
 #include "app/clock.hpp"
 #include "app/flow_case.hpp"
+#include "app/older_run.hpp"
 #include "app/outcome.hpp"
+#include "app/output_folder.hpp"
 #include "app/picture.hpp"
 #include "app/places.hpp"
 #include "app/plot.hpp"
@@ -255,11 +257,10 @@ RunResult Run::finish() {
   io::write_json(folder_ / "summary.json",
                  summary(scene_, folder_, step_, blobs_.size(), totals_, list));
   if (figures_) plot(folder_);
-  fmt::print(
-      "{} steps, {} blobs at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",
-      step_, blobs_.size(), totals_.seconds, totals_.particle_steps / totals_.seconds / 1e6,
-      io::printable(folder_.string()));
-  fmt::print("{}\n", verdict_line(list));
+  tell("{} steps, {} blobs at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",
+       step_, blobs_.size(), totals_.seconds, totals_.particle_steps / totals_.seconds / 1e6,
+       io::printable(folder_.string()));
+  tell("{}\n", verdict_line(list));
   return {.finished = true,
           .verdicts = list,
           .steps = step_,
@@ -287,6 +288,8 @@ bool RunResult::passed() const {
 
 RunResult run(const RunOptions& options) {
   io::Scene scene = scene_of(options);
+  const OutputFolder folder(options.out);
+  if (!options.resume && !options.overwrite) refuse_older_run(options.out);
   for (const std::string& doubt : doubts(scene)) say("warning: {}", doubt);
   Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();

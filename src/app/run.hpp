@@ -13,6 +13,7 @@ struct RunOptions {
   std::vector<std::string> overrides;  // table.key=value
   std::filesystem::path out;           // never empty; runs/<scene stem> unless the user chose
   bool resume = false;
+  bool overwrite = false;  // an older run in `out` may be replaced
   int threads = 0;  // 0: all; OpenMP is already told
   bool figures = true;
 };

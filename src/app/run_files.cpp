@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <numbers>
 #include <stdexcept>
@@ -32,6 +33,15 @@ io::RunInfo run_info(const io::Scene& scene) {
           .overrides = scene.origin.overrides,
           .seed = scene.seed,
           .units = "consistent: lengths, times and circulations as in the scene"};
+}
+
+/// What can no longer be written in the middle of a run is nobody's input.
+void on_the_way(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const io::InputError& refused) {
+    throw std::runtime_error(refused.what());
+  }
 }
 
 /// The first difference that would change the flow itself, or nothing.
@@ -66,7 +76,19 @@ RunFiles::RunFiles(const io::Scene& scene, const FlowCase& flow, fs::path folder
       folder_(std::move(folder)),
       tables_(folder_, flow.wall != nullptr) {}
 
+void RunFiles::require_outputs() const {
+  std::vector<fs::path> inputs{scene_.origin.path};
+  for (const auto& reference : {scene_.check.drag_reference, scene_.check.wall_vorticity_reference,
+                                scene_.check.moments_reference})
+    if (reference) inputs.push_back(io::reference_path(scene_, *reference));
+  for (const char* name : {"frames.h5", "frames.xdmf", "fields.h5", "summary.json"})
+    io::require_replaceable(folder_ / name, inputs);
+  for (const std::string& name : tables_.names()) io::require_replaceable(folder_ / name, inputs);
+  io::require_writable(folder_ / "frames.h5", inputs);
+}
+
 void RunFiles::begin() {
+  require_outputs();
   io::remove_file(folder_ / "summary.json");
   io::create_frames(folder_, run_info(scene_));
   io::remove_file(folder_ / "fields.h5");
@@ -118,6 +140,7 @@ void RunFiles::resume_fields(const io::Frame& frame) {
 }
 
 void RunFiles::resume(const io::Frame& frame) {
+  require_outputs();
   tables_.resume(frame, [&](RunTables::Kind kind) { return expected_times(kind, frame.step); });
   resume_fields(frame);
   io::rewind_frames(folder_, frame.step);
@@ -129,16 +152,18 @@ void RunFiles::row(const Record& record) {
 }
 
 void RunFiles::frame(io::Frame frame) {
-  tables_.keep(frame);
-  frame.state[fields_key] = fields_;
-  io::append_frame(folder_, frame);
+  on_the_way([&] {
+    tables_.keep(frame);
+    frame.state[fields_key] = fields_;
+    io::append_frame(folder_, frame);
+  });
 }
 
 void RunFiles::field(const io::Field& field) {
   if (!fields_.empty() && !fs::exists(folder_ / "fields.h5"))
     throw std::runtime_error(fmt::format("{} was removed by someone else during the run",
                                          (folder_ / "fields.h5").string()));
-  io::append_field(folder_, field);
+  on_the_way([&] { io::append_field(folder_, field); });
   fields_.push_back(field.time);
 }
 

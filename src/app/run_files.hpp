@@ -26,6 +26,9 @@ class RunFiles {
  public:
   RunFiles(const io::Scene& scene, const FlowCase& flow, std::filesystem::path folder);
 
+  /// throws  io::InputError if one of them is an input, or no regular file
+  void require_outputs() const;
+
   /// Starts them, in place of older ones.
   void begin();
 

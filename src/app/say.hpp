@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +18,14 @@ void say_line(std::string_view sentence);
 template <class... Values>
 void say(fmt::format_string<Values...> words, Values&&... values) {
   say_line(fmt::format(words, std::forward<Values>(values)...));
+}
+
+/// On standard output, of what also stands in a file: nobody need listen.
+template <class... Values>
+void tell(fmt::format_string<Values...> words, Values&&... values) {
+  const std::string text = fmt::format(words, std::forward<Values>(values)...);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
 }
 
 }  // namespace vortree::app

@@ -2,8 +2,9 @@
 
 namespace vortree::app {
 
-/// While it lives, the first Ctrl-C (SIGINT) or SIGTERM only asks for an end; a second one kills.
-/// One at a time.
+/// While it lives, the first signal that asks for an end only asks: Ctrl-C (SIGINT), SIGTERM, the
+/// terminal that goes (SIGHUP, unless nohup had it ignored), the processor time that is used up
+/// (SIGXCPU). A second one kills. One at a time.
 class StopRequest {
  public:
   StopRequest();

@@ -4,16 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <map>
 #include <new>
 #include <optional>
 #include <utility>
 
+#include "app/older_run.hpp"
+#include "app/output_folder.hpp"
 #include "app/places.hpp"
 #include "app/plot.hpp"
 #include "app/say.hpp"
 #include "app/sweep_table.hpp"
+#include "io/files.hpp"
 #include "io/input_error.hpp"
 #include "io/quote.hpp"
 
@@ -76,7 +80,7 @@ RunOptions options_of(const RunOptions& all, const SweepPlan& plan, const Member
   options.overrides = plan.fixed;
   for (const std::string& word : overrides_of(plan, member)) options.overrides.push_back(word);
   options.out = all.out / folder_of(plan, member);
-  options.resume = all.resume && fs::exists(options.out / "frames.h5");
+  options.resume = all.resume && holds_frames(options.out);
   options.figures = false;
   return options;
 }
@@ -140,6 +144,12 @@ SweepPlan sweep_plan(std::span<const std::string> overrides) {
 int sweep(const RunOptions& options, const SweepPlan& plan) {
   std::vector<Member> members = members_of(plan);
   require_different(options, plan, members);  // before hours are spent on the first of them
+  const OutputFolder folder(options.out);
+  io::require_writable(options.out / "sweep.csv", std::array{find_scene(options.scene)});
+  if (!options.resume && !options.overwrite) {
+    refuse_older_table(options.out / "sweep.csv");
+    for (const Member& m : members) refuse_older_run(options_of(options, plan, m).out);
+  }
   std::size_t done = 0;
   for (Member& m : members) {
     say("run {} of {}: {}", done + 1, members.size(), name_of(plan, m));
@@ -150,11 +160,11 @@ int sweep(const RunOptions& options, const SweepPlan& plan) {
     }
     write_csv(options.out / "sweep.csv", options, plan, std::span(members).first(++done));
   }
-  fmt::print("{}", table(plan, members));
+  tell("{}", table(plan, members));
   plot(options.out);
-  fmt::print("results in {}\n", io::printable(options.out.string()));
+  tell("results in {}\n", io::printable(options.out.string()));
   const std::string wrong = what_went_wrong(plan, members);
-  if (!wrong.empty()) fmt::print("{}\n", io::printable(wrong));
+  if (!wrong.empty()) tell("{}\n", io::printable(wrong));
   return wrong.empty() ? 0 : 1;
 }
 

@@ -12,6 +12,7 @@
 #include "app/while_reading.hpp"
 #include "bench/accuracy.hpp"
 #include "bench/methods.hpp"
+#include "io/files.hpp"
 #include "io/particles.hpp"
 
 namespace vortree::app {
@@ -112,7 +113,7 @@ io::Json velocity(const VelocityJob& job) {
   method_named(job.method);
   Stopwatch files;
   files.begin("io");
-  io::check_writable(job.out);
+  io::require_writable(job.out, std::array{job.in, job.targets});
   Problem problem = read_problem(job);
   files.end();
 

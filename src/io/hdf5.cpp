@@ -118,6 +118,10 @@ bool is_hdf5(const std::filesystem::path& path) {
 
 Handle open_file(const std::filesystem::path& path, unsigned flags) {
   silence();
+  std::error_code unknown;
+  if (flags == H5F_ACC_RDWR && std::filesystem::file_size(path, unknown) == 0) {
+    throw Failure(path.string() + " is empty");  // HDF5 would begin a new file in it
+  }
   const Handle access = unlocked();
   // What is added from here on has checked headers: HDF5 itself may crash on a damaged older one.
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST), "a property list");

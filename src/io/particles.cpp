@@ -144,12 +144,8 @@ Particles read_particles(const fs::path& path, Columns columns) {
 }
 
 void write_columns(const fs::path& path, std::span<const Column> columns, const Attributes& about) {
-  check_writable(path);
-  h5::replace_file(path, [&](const fs::path& fresh) { write_all(fresh, columns, about); });
-}
-
-void check_writable(const fs::path& path) {
   require_writable(path);
+  h5::replace_file(path, [&](const fs::path& fresh) { write_all(fresh, columns, about); });
 }
 
 }  // namespace vortree::io

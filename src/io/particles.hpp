@@ -56,8 +56,4 @@ using Attributes =
 ///         writing fails half-way
 void write_columns(const std::filesystem::path&, std::span<const Column>, const Attributes& = {});
 
-/// Refuses an output path early, before the work is done: the errors of write_columns, without
-/// writing.
-void check_writable(const std::filesystem::path&);
-
 }  // namespace vortree::io

@@ -26,4 +26,16 @@ std::vector<Frame> read_frames(const std::filesystem::path& path, std::size_t mo
   }
 }
 
+FramesLabel label_of_frames(const std::filesystem::path& path) {
+  require_regular_file(path);
+  try {
+    const h5::Handle file = h5::open_file(path);
+    const std::vector<FramePlace> places = frame_places(file);
+    if (places.empty()) return {};
+    return {.frames = places.size(), .last_time = read_label(file, places.back()).time};
+  } catch (const h5::Failure& failure) {
+    throw InputError(fmt::format("{}: {}", path.string(), failure.what()));
+  }
+}
+
 }  // namespace vortree::io

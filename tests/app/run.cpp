@@ -165,3 +165,66 @@ TEST_CASE("a run that cannot begin is refused with one line and 2") {
   CHECK(outcome.code == 2);
   CHECK(outcome.error_lines() == 1);
 }
+
+TEST_CASE("a run in the way is not replaced unasked, by a run or by a sweep") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  REQUIRE(call("run vortex.toml --out r/time.dt=0.02 time.dt=0.02", folder).code == 0);
+  const std::string before = text_of(folder / "r/time.dt=0.02/report.csv");
+  const std::string again = GENERATE(values<std::string>(
+      {"run vortex.toml --out r/time.dt=0.02", "run vortex.toml time.dt=0.02,0.01 --out r"}));
+  const auto refused = call(again, folder);
+  CAPTURE(again, refused.err);
+  CHECK(refused.code == 2);
+  CHECK(refused.error_lines() == 1);
+  for (const char* word : {"r/time.dt=0.02", "--resume", "--overwrite", "--out"})
+    CHECK(refused.err.find(word) != std::string::npos);
+  CHECK(text_of(folder / "r/time.dt=0.02/report.csv") == before);
+  CHECK_FALSE(fs::exists(folder / "r/time.dt=0.01"));
+  CHECK(call(again + " --overwrite", folder).code == 0);
+  CHECK(text_of(folder / "r/time.dt=0.02/report.csv") != before);
+  CHECK(call(again + " --overwrite --resume", folder).code == 2);
+  fs::remove(folder / "r/time.dt=0.02/frames.h5");
+  CHECK(call("run vortex.toml --out r/time.dt=0.02", folder).code == 2);
+}
+
+TEST_CASE("an output that is an input, no file or has no name is refused, and all stays") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  fs::create_directory(folder / "r");
+  fs::create_hard_link(folder / "vortex.toml", folder / "r/summary.json");
+  fs::create_directories(folder / "s/report.csv/inside");
+  write_particles(folder / "p.h5",
+                  {{"x", {0, 1}}, {"y", {0, 1}}, {"gamma", {1, 1}}, {"reach", {1, 1}}});
+  fs::create_symlink("p.h5", folder / "link.h5");
+  const std::string before = text_of(folder / "p.h5");
+  const std::string arguments = GENERATE(values<std::string>({
+      "run vortex.toml --overwrite --out r",
+      "run vortex.toml --overwrite --out s",
+      "run vortex.toml --out ''",
+      "run vortex.toml --out p.h5",
+      "bench velocity --out ''",
+      "velocity p.h5 --out ''",
+      "velocity p.h5 --out p.h5",
+      "velocity p.h5 --out link.h5",
+      "velocity p.h5 --targets link.h5 --out ./p.h5",
+      "velocity p.h5 --out /dev/null",
+      "neighbors p.h5 --out link.h5",
+  }));
+  const auto outcome = call(arguments, folder);
+  CAPTURE(arguments, outcome.err);
+  CHECK(outcome.code == 2);
+  CHECK(outcome.error_lines() == 1);
+  CHECK(text_of(folder / "p.h5") == before);
+  CHECK(text_of(folder / "vortex.toml") == vortex);
+  CHECK(fs::exists(folder / "s/report.csv/inside"));
+  CHECK(fs::is_character_file("/dev/null"));
+}
+
+TEST_CASE("a result that cannot be printed is a failure, where nothing else holds it") {
+  const TemporaryFolder folder;
+  CHECK(call("cases >/dev/full", folder).code == 1);
+  CHECK(call("cases", folder).code == 0);
+}

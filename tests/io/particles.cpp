@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "io/files.hpp"
 #include "io/hdf5.hpp"
 #include "sandbox.hpp"
 
@@ -159,8 +160,8 @@ TEST_CASE("an output that cannot be written is refused before anything is lost")
   const Sandbox box;
   const std::array<Column, 1> x{{{"x", three}}};
   const auto refused_output = [&](const std::filesystem::path& path) {
-    CHECK(refusal([&] { check_writable(path); }) == refusal([&] { write_columns(path, x); }));
-    return refusal([&] { check_writable(path); });
+    CHECK(refusal([&] { require_writable(path); }) == refusal([&] { write_columns(path, x); }));
+    return refusal([&] { require_writable(path); });
   };
   const std::string file = box.write("file", "words").string();
   CHECK(refused_output(box.path()) == box.path().string() + " is a folder; a file was expected");
