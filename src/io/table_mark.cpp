@@ -70,6 +70,12 @@ TableMark counted(const std::filesystem::path& file, std::string_view text,
     mark.add(line);
     text.remove_prefix(end + 1);
   }
+  const std::string_view next = first_line(text);
+  const auto later = number(next.substr(0, next.find(',')));
+  if (later && !expected.empty() && *later <= expected.back()) {
+    throw InputError(fmt::format("{}:{}: a row of t = {} too many", file.string(),
+                                 expected.size() + 2, *later));
+  }
   return mark;
 }
 

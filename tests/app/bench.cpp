@@ -67,6 +67,9 @@ TEST_CASE("the neighbor bench leaves a table with its origin, and figures") {
   const TemporaryFolder folder;
   bench("neighbors --quick --largest 1100 --threads 2 --out nb", folder);
   CHECK(fs::exists(folder / "nb/neighbors_scaled.png"));
+  const auto again = call("bench neighbors --quick --largest 1100 --out nb", folder);
+  CHECK(again.code == 2);
+  CHECK(again.err.find("--overwrite") != std::string::npos);
   CHECK(of_table("nb/neighbors.csv", R"(
 print(sorted({row['set'] for row in rows}), sorted({row['threads'] for row in rows}))
 print(sorted({row['method'] for row in rows}), sorted({row['rule'] for row in rows}))

@@ -9,6 +9,8 @@ import threading
 import time
 from pathlib import Path
 
+import h5py
+
 import contents
 import scenes
 
@@ -85,6 +87,14 @@ class Bench:
         folder = self.folder()
         shutil.copytree(self.root / f"whole-{scene}", folder)
         return folder
+
+
+def has_frames(folder):
+    try:
+        with h5py.File(folder / "frames.h5") as file:
+            return any(name.startswith("frame_") for name in file)
+    except OSError:
+        return False
 
 
 def wait_for_rows(process, folder, rows):

@@ -2,7 +2,7 @@
 // there, as a full or broken disk, a kill or a power failure would.
 //
 //   FAULT_CALLS   names that are counted, separated by commas: open write fsync rename link unlink
-//                 truncate close mkdir; or "all"
+//                 truncate close mkdir flock; or "all"
 //   FAULT_AT      which of them, from 1 on; 0 or none: only count
 //   FAULT_HOW     an errno to fail with, or "kill"
 //   FAULT_LASTS   set: all later ones fail, too
@@ -155,6 +155,12 @@ WITH_DESCRIPTOR(close, "close")
   }
 WITH_LENGTH(ftruncate, off_t)
 WITH_LENGTH(ftruncate64, off64_t)
+
+int flock(int descriptor, int operation) {
+  REAL("flock", int, int, int);
+  if (fails("flock", descriptor_in_folder(descriptor))) return -1;
+  return real(descriptor, operation);
+}
 
 #define OPEN(name)                                              \
   int name(const char* path, int flags, ...) {                  \

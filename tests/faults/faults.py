@@ -23,8 +23,14 @@ import tempfile
 import traceback
 from pathlib import Path
 
-import kinds
+import calls
+import damage
+import outputs
+import while_running
 from bench import Bench
+
+
+KINDS = (*calls.KINDS, *damage.KINDS, *while_running.KINDS, *outputs.KINDS)
 
 
 def main():
@@ -41,8 +47,9 @@ def main():
     with tempfile.TemporaryDirectory(prefix="vortree-faults-", dir=asked.where) as folder:
         os.chmod(folder, 0o777)
         bench = Bench(asked.program.resolve(), asked.preload.resolve(), Path(folder), asked.all)
-        trials = [t for t in kinds.trials(bench, asked.trials, random.Random(asked.seed))
-                  if asked.only in t.kind]
+        chance = random.Random(asked.seed)
+        trials = [trial for kind in KINDS for trial in kind(bench, asked.trials, chance)
+                  if asked.only in trial.kind]
         failed = run_all(trials)
     sys.exit("\n".join(failed) or None)
 

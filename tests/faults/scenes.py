@@ -71,6 +71,10 @@ WALK = VORTEX + """
 kind = "random_walk"
 """
 
+# The table beside report.csv.
+TABLES = {"vortex": "energy.csv", "walk": "energy.csv", "exchange": "energy.csv",
+          "cylinder": "wall.csv", "foil": "wall.csv"}
+
 QUICK = {"vortex": VORTEX, "cylinder": CYLINDER}
 ALL = {**QUICK, "foil": FOIL, "walk": WALK,
        "exchange": WALK.replace("random_walk", "particle_exchange")}

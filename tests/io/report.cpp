@@ -124,6 +124,7 @@ TEST_CASE("rows that nobody has marked are counted, one for each expected time")
         "r.csv:3: \"0.3,3\"; the row of t = 0.2 was expected");
   CHECK(refused("t,c\n0.1,1\n0.1,1\n0.2,2\n0.3,3\n") ==
         "r.csv:3: \"0.1,1\"; the row of t = 0.2 was expected");
+  CHECK(refused("t,c\n0.1,1\n0.2,2\n0.3,3\n0.3,3\n") == "r.csv:5: a row of t = 0.3 too many");
   CHECK(refused("t,c\n0.1,1\n0.2\n0.3,3\n") ==
         "r.csv:3: \"0.2\"; the row of t = 0.2 was expected");
   CHECK(refused("t,c\n0.1,1\n0.2,2\n0.3,3") ==

@@ -1,0 +1,50 @@
+"""Makes frames as the program wrote them before they kept anything of the tables."""
+
+import struct
+
+import h5py
+import numpy
+
+MARKS = ("mark of ", "rows of ", "times of ")
+WORD = (1 << 64) - 1
+
+
+class Checksum:
+    """As src/io/checksum.hpp."""
+
+    def __init__(self):
+        self.value = 0xCBF29CE484222325
+
+    def word(self, word):
+        self.value = ((self.value ^ word) * 0x100000001B3) & WORD
+        self.value ^= self.value >> 29
+
+    def numbers(self, values):
+        self.word(len(values))
+        for word in numpy.ascontiguousarray(values, "<f8").view("<u8"):
+            self.word(int(word))
+
+    def text(self, text):
+        self.word(len(text))
+        for byte in text.encode():
+            self.word(byte)
+
+
+def forget_tables(path):
+    with h5py.File(path, "r+") as file:
+        for name in file:
+            if not name.startswith("frame_"):
+                continue
+            frame = file[name]
+            for key in list(frame["state"]):
+                if key.startswith(MARKS):
+                    del frame["state"][key]
+            attributes, total = frame.attrs, Checksum()
+            total.word(int(attributes["step"]))
+            total.word(struct.unpack("<Q", struct.pack("<d", attributes["time"]))[0])
+            for column in ("x", "y", "gamma", "sigma", "u", "v"):
+                total.numbers(frame[column][()])
+            for key in sorted(frame["state"]):
+                total.text(key)
+                total.numbers(frame["state"][key][()])
+            attributes.modify("checksum", numpy.uint64(total.value))
