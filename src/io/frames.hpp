@@ -39,10 +39,12 @@ struct RunInfo {
 ///
 /// Layout: the run as attributes of the root, the dimensions of the columns as attributes of the
 /// group `units`; a group `frame_000025` (step number) for each frame with datasets x y gamma sigma
-/// u v, attributes step, time, checksum and a subgroup `state`. What the root needs lies at the
-/// beginning of the file, each frame in one piece behind the frame before it: a file cut anywhere
-/// keeps the frames that lie before the cut. This holds for runs of up to 4096 frames; more are no
-/// error, but then a cut can cost them all (a kill still costs only one).
+/// u v, attributes step, time, checksum and the subgroups `state` and `view`, the latter the same
+/// columns once more as frames.xdmf shows them (points and velocity in rows of three, vertices;
+/// 52 bytes a blob). What the root needs lies at the beginning of the file, each frame in one piece
+/// behind the frame before it: a file cut anywhere keeps the frames that lie before the cut. This
+/// holds for runs of up to 4096 frames; more are no error, but then a cut can cost them all (a kill
+/// still costs only one).
 ///
 /// throws  InputError if DIR cannot be created or written
 void create_frames(const std::filesystem::path& dir, const RunInfo&);
