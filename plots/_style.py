@@ -195,6 +195,19 @@ def note(axes, text, x=0.985, y=0.94, **more):
     axes.text(x, y, text, transform=axes.transAxes, **{**style, **more})
 
 
+def save(figure, path):
+    """The old picture or the new one, whatever happens; only a file is replaced, a link is followed."""
+    place = path.resolve()
+    if place.exists() and not place.is_file():
+        sys.exit(f"{path} is no file, and is not replaced by a figure")
+    part = place.with_name(place.name + ".vortree.part")
+    try:
+        figure.savefig(part, format=place.suffix[1:])
+        part.replace(place)
+    finally:
+        part.unlink(missing_ok=True)
+
+
 def main(name, draw):
     """Runs a script: draw(run) makes the figure, which goes into the folder as `name`."""
     if len(sys.argv) != 2:
@@ -208,5 +221,5 @@ def main(name, draw):
         return
     except Broken as error:
         sys.exit(str(error))
-    made.savefig(run.folder / name)
+    save(made, run.folder / name)
     print(run.folder / name)

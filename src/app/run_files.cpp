@@ -81,7 +81,7 @@ void RunFiles::require_outputs() const {
   for (const auto& reference : {scene_.check.drag_reference, scene_.check.wall_vorticity_reference,
                                 scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
-  for (const char* name : {"frames.h5", "frames.xdmf", "fields.h5", "summary.json"})
+  for (const char* name : {"frames.h5", "frames.xdmf", "fields.h5", "fields.xdmf", "summary.json"})
     io::require_replaceable(folder_ / name, inputs);
   for (const std::string& name : tables_.names()) io::require_replaceable(folder_ / name, inputs);
   io::require_writable(folder_ / "frames.h5", inputs);

@@ -3,9 +3,10 @@
 import errno
 import resource
 import signal
-import subprocess
+import time
 
-from bench import Trial, has_frames, require_clean, require_recovery, wait_for_end
+from bench import (Trial, has_frames, require_clean, require_recovery, wait_for_end,
+                   wait_for_rows)
 
 CALLS = {"write": errno.ENOSPC, "fsync": errno.EIO, "open": errno.EACCES, "rename": errno.EROFS,
          "link": errno.EIO, "unlink": errno.EPERM, "truncate": errno.ENOSPC, "close": errno.EIO,
@@ -13,20 +14,20 @@ CALLS = {"write": errno.ENOSPC, "fsync": errno.EIO, "open": errno.EACCES, "renam
 
 
 def kills_at_random(bench, count, random):
-    """Up to three times a run, at random moments of wall time."""
+    """Up to three times a run, some milliseconds behind a row of the report."""
     for k in range(count):
         scene = bench.scenes[k % len(bench.scenes)]
-        moments = [random.uniform(0.02, 0.4) for _ in range(random.randint(1, 3))]
+        rows = sorted(random.sample(range(8), random.randint(1, 3)))
+        pause = random.uniform(0, 0.02)
 
-        def act(scene=scene, moments=moments):
+        def act(scene=scene, rows=rows, pause=pause):
             folder = bench.folder()
             words = []
-            for moment in moments:
+            for row in rows:
                 process = bench.start(scene, folder, *words)
-                try:
-                    process.wait(moment)
-                except subprocess.TimeoutExpired:
-                    process.kill()
+                wait_for_rows(process, folder, row)
+                time.sleep(pause)
+                process.kill()
                 end = wait_for_end(process)
                 require_clean(end, (signal.SIGKILL,))
                 if end.code == 0:
@@ -34,7 +35,7 @@ def kills_at_random(bench, count, random):
                 words = ["--resume"] if end.code == -signal.SIGKILL and has_frames(folder) else []
             return require_recovery(bench, scene, folder, end, (signal.SIGKILL,))
 
-        yield Trial("kill at a random moment", f"{scene} after {moments}", act)
+        yield Trial("kill at a random moment", f"{scene} after rows {rows}, {pause} s", act)
 
 
 def under(bench, scene, resumed, **faults):

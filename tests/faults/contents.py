@@ -69,7 +69,9 @@ def contents(folder):
     if (folder / "fields.h5").exists():
         with h5py.File(folder / "fields.h5") as file:
             found["fields.h5"] = datasets(file)
-    found["frames.xdmf"] = (folder / "frames.xdmf").read_text()
+    for page in ("frames.xdmf", "fields.xdmf"):
+        if (folder / page).exists():
+            found[page] = (folder / page).read_text()
     found["summary.json"] = summary_of(folder)
     found["files"] = sorted(path.name for path in folder.iterdir())
     return found

@@ -39,7 +39,7 @@ def damaged_frames(bench, count, random):
             assert end.code == 0, end
             # Lost frames and pictures are not made again, which is said; all else is.
             lost = " lost" in end.err
-            but = ("frames.h5", "frames.xdmf", "fields.h5") if lost else ()
+            but = ("frames.h5", "frames.xdmf", "fields.h5", "fields.xdmf") if lost else ()
             require_same(bench, scene, folder, but)
             return "told of, the rest the same" if lost else "resumed, the same"
 
@@ -93,7 +93,8 @@ def damaged_tables(bench, count, random):
 
 def lost_files(bench, count, random):
     for scene in bench.scenes:
-        for name in ("report.csv", TABLES[scene], "frames.xdmf", "summary.json", "fields.h5"):
+        for name in ("report.csv", TABLES[scene], "frames.xdmf", "summary.json", "fields.h5",
+                     "fields.xdmf"):
 
             def act(scene=scene, name=name):
                 folder = bench.copy(scene)
@@ -102,10 +103,10 @@ def lost_files(bench, count, random):
                 require_clean(end)
                 assert end.code == 0, end
                 said = len(end.err.splitlines()) > 1
-                derived = name in ("frames.xdmf", "summary.json")
+                derived = name in ("frames.xdmf", "fields.xdmf", "summary.json")
                 assert said or derived, "not a word"
-                require_same(bench, scene, folder, ("fields.h5", "files") if name == "fields.h5"
-                             else ())
+                require_same(bench, scene, folder, ("fields.h5", "fields.xdmf", "files")
+                             if name == "fields.h5" else ())
                 return "made again" if name != "fields.h5" else "told of, the rest the same"
 
             yield Trial("lost files", f"{scene} {name}", act)
