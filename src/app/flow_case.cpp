@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/cost.hpp"
+#include "app/memory.hpp"
 #include "vortex/lattice.hpp"
 #include "vortex/outline.hpp"
 
@@ -123,6 +125,7 @@ FlowCase flow_case(const io::Scene& scene) {
       .wall = made.wall.get(),
       .velocity = made.velocity.get(),
   };
+  made.held_blobs = blobs_in(machine_bytes());
   made.step_to(0);
   return made;
 }

@@ -29,6 +29,7 @@ struct FlowCase {
   vortex::Problem problem;
   Origin origin;
   std::optional<vortex::Box> box;  // of [merging], in the scene
+  std::size_t held_blobs = 0;      // by the machine's memory
 
   /// For a step from the problem's time to this one.
   void step_to(double time);

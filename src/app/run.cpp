@@ -8,7 +8,9 @@
 
 #include "app/advice.hpp"
 #include "app/clock.hpp"
+#include "app/cost.hpp"
 #include "app/flow_case.hpp"
+#include "app/memory.hpp"
 #include "app/older_run.hpp"
 #include "app/outcome.hpp"
 #include "app/output_folder.hpp"
@@ -42,7 +44,8 @@ class Run {
         timetable_(scene_),
         flow_(flow_case(scene_)),
         files_(scene_, flow_, folder_),
-        history_(flow_) {}
+        history_(flow_),
+        growth_(flow_) {}
 
   void begin();
   void resume();
@@ -56,7 +59,9 @@ class Run {
   void save_fields();
   void observe(const vortex::Wake& wake);
   [[noreturn]] void give_up(const std::string& reason, vortex::Blobs last_good);
+  std::string kept() const;
   double drift(const Record& record) const;
+  double share_gone() const;
   RunResult finish();
   History::Write writer() {
     return [this](const Record& record) { files_.row(record); };
@@ -71,6 +76,7 @@ class Run {
   vortex::Blobs blobs_;
   History history_;
   Totals totals_;
+  Growth growth_;
   Stopwatch watch_;
   Stopwatch::Phases before_step_;
   std::vector<double> sheet_, wall_vorticity_;
@@ -108,7 +114,10 @@ void Run::resume() {
   totals_ = {t.at(0), t.at(1), t.at(2), t.at(3)};
   second_moment_at_start_ = t.at(4);
   if (const auto gone = frame.state.find("retired"); gone != frame.state.end())
-    flow_.problem.retired = {gone->second.at(0), {gone->second.at(1), gone->second.at(2)}};
+    flow_.problem.retired = {gone->second.at(0),
+                             {gone->second.at(1), gone->second.at(2)},
+                             gone->second.size() > 3 ? gone->second[3] : 0};
+  growth_.add(blobs_.size());
   files_.resume(frame);
   say("going on from step {}, t = {:g}", step_, time(step_));
 }
@@ -118,6 +127,7 @@ void Run::observe(const vortex::Wake& wake) {
     sheet_ = wake.sheet;
     wall_vorticity_ = wake.wall_vorticity;
   }
+  growth_.add(blobs_.size());
   Record record = measure(step_, blobs_, wake, flow_);
   if (step_ == 0) second_moment_at_start_ = record.second_moment;
   totals_.particle_steps += step_ > 0 ? record.blobs : 0;
@@ -147,8 +157,13 @@ void Run::give_up(const std::string& reason, vortex::Blobs last_good) {
   --step_;
   save();
   throw std::runtime_error(
-      fmt::format("step {}, t = {:g}: {}; the last good frame is that of step {} in {}", failed,
-                  time(failed), reason, saved_step_, (folder_ / "frames.h5").string()));
+      fmt::format("step {}, t = {:g}: {}; {}", failed, time(failed), reason, kept()));
+}
+
+std::string Run::kept() const {
+  if (saved_step_ < 0) return "there is no good frame";
+  return fmt::format("the last good frame is that of step {} in {}", saved_step_,
+                     (folder_ / "frames.h5").string());
 }
 
 void Run::advance() {
@@ -156,14 +171,18 @@ void Run::advance() {
   vortex::Blobs before = blobs_;
   vortex::Wake wake;
   flow_.step_to(time(step_));
+  flow_.problem.most_blobs = growth_.most(time(step_));
   try {
     wake = vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
                         [this](std::string_view phase) { watch_.begin(phase); });
+  } catch (const vortex::Multiplied& many) {
+    const std::string reason = multiplied(many.blobs, before.size(), flow_);
+    give_up(reason, std::move(before));
   } catch (const std::exception& refused) {
     give_up(refused.what(), std::move(before));
   }
   watch_.begin("output");
-  if (const std::string reason = broken(blobs_, before.size(), flow_, time(step_)); !reason.empty())
+  if (const std::string reason = broken(blobs_, flow_, time(step_)); !reason.empty())
     give_up(reason, std::move(before));
   flow_.problem.retired = wake.retired;
   flow_.problem.time = time(step_);
@@ -198,7 +217,7 @@ void Run::save() {
                            totals_.seconds + watch_.elapsed(), totals_.largest_drift,
                            second_moment_at_start_};
   const vortex::Retired& gone = flow_.problem.retired;
-  frame.state["retired"] = {gone.gamma, gone.moment.x, gone.moment.y};
+  frame.state["retired"] = {gone.gamma, gone.moment.x, gone.moment.y, gone.of_both_signs};
   if (flow_.wall) {
     frame.state["sheet"] = sheet_;
     frame.state["wall_vorticity"] = wall_vorticity_;
@@ -207,6 +226,9 @@ void Run::save() {
   } else {
     files_.energy(time(step_), blobs_);
   }
+  if (const std::string bad = not_finite(frame); !bad.empty())
+    throw std::runtime_error(
+        fmt::format("step {}, t = {:g}: {}; {}", step_, time(step_), bad, kept()));
   files_.frame(std::move(frame));
   saved_step_ = step_;
 }
@@ -222,6 +244,14 @@ double Run::drift(const Record& now) const {
   const double grown = 4 * flow_.problem.flow.nu * now.t * now.circulation;
   const double expected = second_moment_at_start_ + grown;
   return expected == 0 ? 0 : std::abs(now.second_moment / expected - 1);
+}
+
+/// Of all vorticity of both signs, what has left the box.
+double Run::share_gone() const {
+  double here = 0;
+  for (double gamma : blobs_.gamma) here += std::abs(gamma);
+  const double gone = flow_.problem.retired.of_both_signs;
+  return gone > 0 ? gone / (gone + here) : 0;
 }
 
 RunResult Run::go() {
@@ -254,12 +284,20 @@ RunResult Run::finish() {
   files_.end();
   const std::vector<Verdict> list = verdicts(scene_, folder_, blobs_, flow_);
   totals_.seconds += watch_.elapsed();
-  io::write_json(folder_ / "summary.json",
-                 summary(scene_, folder_, step_, blobs_.size(), totals_, list));
+  io::Json json = summary(scene_, folder_, step_, blobs_.size(), totals_, list);
+  if (flow_.box) {
+    json["left_box"]["circulation"] = flow_.problem.retired.gamma;
+    json["left_box"]["of_both_signs"] = flow_.problem.retired.of_both_signs;
+    json["left_box"]["share"] = share_gone();
+  }
+  io::write_json(folder_ / "summary.json", json);
   if (figures_) plot(folder_);
   tell("{} steps, {} blobs at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",
        step_, blobs_.size(), totals_.seconds, totals_.particle_steps / totals_.seconds / 1e6,
        io::printable(folder_.string()));
+  if (flow_.box)
+    tell("{:.0f} % of the vorticity of both signs has left merging.box, {:.3g} net\n",
+         100 * share_gone(), flow_.problem.retired.gamma);
   tell("{}\n", verdict_line(list));
   return {.finished = true,
           .verdicts = list,
@@ -288,6 +326,7 @@ bool RunResult::passed() const {
 
 RunResult run(const RunOptions& options) {
   io::Scene scene = scene_of(options);
+  refuse_beyond(scene, machine_bytes());
   const OutputFolder folder(options.out);
   if (!options.resume && !options.overwrite) refuse_older_run(options.out);
   for (const std::string& doubt : doubts(scene)) say("warning: {}", doubt);

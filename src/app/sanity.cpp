@@ -8,23 +8,55 @@
 namespace vortree::app {
 namespace {
 
-constexpr std::size_t most_blobs = 20'000'000, many_blobs = 20'000;
+constexpr std::size_t most_blobs = 20'000'000, many_blobs = 20'000, many_of_late = 5000,
+                      many_a_panel = 100;
 constexpr double most_vorticity = 100;  // of both signs, in U D
 
 }  // namespace
 
-std::string broken(const vortex::Blobs& blobs, std::size_t before, const FlowCase& flow,
-                   double time) {
-  // The first step, done in parts, makes many of the first sheet.
-  const bool young = time < 10.5 * flow.problem.dt;
-  const bool multiplied =
-      blobs.size() > (young ? 5 : 1) * many_blobs && blobs.size() > (young ? 200 : 3) * before;
-  if (blobs.size() > most_blobs || multiplied)
-    return fmt::format(
-        "{} blobs after {}: they multiply faster than they merge, since a step "
-        "widens them by more than splitting makes up for; larger cores.sigma_max or "
-        "smaller time.dt",
-        blobs.size(), before);
+void Growth::add(std::size_t blobs) {
+  counts_.push_back(blobs);
+  if (counts_.size() > 6) counts_.pop_front();
+}
+
+std::size_t Growth::most(double time) const {
+  const std::size_t ceiling = std::min(most_blobs, flow_.held_blobs), before = counts_.back();
+  const vortex::Problem& p = flow_.problem;
+  if (p.merging.tolerance == 0)  // asked for
+    return std::min(ceiling, std::max(many_blobs, p.splitting.children * before));
+  if (flow_.wall && time < 10.5 * p.dt)
+    return std::min(ceiling,
+                    std::max(many_blobs, 3 * before + many_a_panel * flow_.wall->panels()));
+  const bool settled = counts_.size() == 6 && !(flow_.wall && time < 12.5 * p.dt);
+  const std::size_t soon = std::max(many_blobs, 3 * before),
+                    later = settled ? std::max(many_of_late, 3 * counts_.front()) : soon;
+  return std::min({ceiling, soon, later});
+}
+
+std::string multiplied(std::size_t blobs, std::size_t before, const FlowCase& flow) {
+  const std::string counts = fmt::format("{} blobs after {}: ", blobs, before);
+  if (blobs > flow.held_blobs)
+    return counts + fmt::format("the machine's memory holds {}", flow.held_blobs);
+  if (flow.problem.merging.tolerance == 0)
+    return counts + "they split and never merge; merging.tolerance above 0 keeps them few";
+  return counts +
+         "they multiply faster than they merge, since a step widens them by more than splitting "
+         "makes up for; larger cores.sigma_max or smaller time.dt";
+}
+
+std::string not_finite(const io::Frame& frame) {
+  for (const auto& [name, column] :
+       {std::pair{"x", &frame.x}, std::pair{"y", &frame.y}, std::pair{"gamma", &frame.gamma},
+        std::pair{"sigma", &frame.sigma}, std::pair{"u", &frame.u}, std::pair{"v", &frame.v}}) {
+    const auto bad = std::ranges::find_if(*column, [](double a) { return !std::isfinite(a); });
+    if (bad != column->end())
+      return fmt::format("{} of blob {} of {} is {}", name, bad - column->begin(), column->size(),
+                         *bad);
+  }
+  return "";
+}
+
+std::string broken(const vortex::Blobs& blobs, const FlowCase& flow, double time) {
   double strength = 0;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     if (!std::isfinite(blobs.x[i] + blobs.y[i] + blobs.gamma[i] + blobs.sigma[i]))

@@ -13,6 +13,7 @@
 #include "io/scene_choice.hpp"
 #include "io/scene_document.hpp"
 #include "io/scene_reader.hpp"
+#include "io/scene_sense.hpp"
 #include "io/scene_time.hpp"
 
 namespace vortree::io {
@@ -159,10 +160,12 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path,
   scene.origin = {path, std::string(text), {overrides.begin(), overrides.end()}};
   if (scene.body) check_body(document, *scene.body);
   if (scene.plunge) check_plunge(document, scene);
+  refuse_senseless(document, scene);
   choose_missing(document, scene);
   check_time(document, scene.time);
   if (scene.output.frames == 0) scene.output.frames = usual_frames(scene.time);
   check_together(document, scene);
+  refuse_senseless_choice(document, scene);
   return scene;
 }
 
@@ -175,7 +178,11 @@ double length_of(const SceneBody& body) {
 }
 
 double perimeter_of(const SceneBody& body) {
-  return (body.shape == Shape::naca0012 ? 2.05 : std::numbers::pi) * length_of(body);
+  if (body.shape == Shape::naca0012) return 2.05 * length_of(body);
+  const double a = *body.radius, b = body.across.value_or(a);
+  // Ramanujan's second formula: within 4e-4 of any ellipse's.
+  const double h = (a - b) * (a - b) / ((a + b) * (a + b));
+  return std::numbers::pi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
 }
 
 double edge_of(const SceneBody& body) {

@@ -257,7 +257,7 @@ bool operator==(const Scene&, const Scene&);
 /// chord.
 [[nodiscard]] double length_of(const SceneBody&);
 
-/// Its perimeter, or a little more.
+/// Its perimeter, to 1 % (an ellipse's: 4e-4).
 [[nodiscard]] double perimeter_of(const SceneBody&);
 
 /// The radius of NACA 0012's trailing edge, as a share of the chord.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "io/scene_scales.hpp"
 #include "io/scene_time.hpp"
 
 namespace vortree::io {
@@ -52,32 +53,39 @@ Choice past_body(const Scene& scene, double e) {
   const double period = scene.plunge ? 1 / scene.plunge->frequency : INFINITY;
   c.dt = scene.time.dt > 0
              ? scene.time.dt
-             : fitted_step(scene, std::min(std::min(2 * e, 0.02 * std::sqrt(550 / reynolds)) *
-                                               length / speed,
-                                           period / 100));
+             : fitted_step(
+                   scene, std::min({2 * e * length / speed,
+                                    0.02 * std::sqrt(550 / reynolds) * length / speed, period / 100,
+                                    0.1 * std::min(e, 0.05) * length * length / nu}));
   c.sigma_max = std::min(4 * std::sqrt(e * nu * length / speed),
                          std::sqrt(8 * nu * c.dt) * std::pow(std::max(e / 0.01, 1.0), 0.25));
+  const double beside_body = reynolds < 20 ? 4 * length * std::sqrt(e / 20) : length / 4;
+  c.sigma_max = std::min({c.sigma_max, beside_body, length / 4});
   c.sigma_max = std::max(c.sigma_max, std::sqrt(4 * nu * c.dt));
   c.sigma_0 = std::min(std::sqrt(2 * nu * c.dt), c.sigma_max);
   c.merging = 0.4 * std::sqrt(e) * speed;
   c.reach = 3;
   c.cap = 1.2;
   c.velocity = std::clamp(e / 1000, 1e-12, 1e-3);
-  double panel = 2.4 * c.sigma_0;
-  if (scene.body->shape == Shape::naca0012)
-    panel = std::min(panel, 0.7 * edge_of(*scene.body) * length);
-  c.panels = static_cast<int>(std::clamp(perimeter_of(*scene.body) / panel, 128.0, 4000.0));
+  const double around = scene.body->shape == Shape::naca0012
+                            ? perimeter_of(*scene.body)
+                            : std::max(perimeter_of(*scene.body), std::numbers::pi * length);
+  const double tips = perimeter_of(*scene.body) / (panel_at_tip * tip_radius(*scene.body));
+  c.panels =
+      static_cast<int>(std::clamp(std::max(around / (2.4 * c.sigma_0), tips), 128.0, 4000.0));
   return c;
 }
 
 Choice free_vortex(const Scene& scene, double e) {
   const SceneInitial& i = *scene.initial;
   const double across = i.core_across.value_or(i.core), width = std::min(i.core, across);
-  const double omega = std::abs(i.circulation) / (std::numbers::pi * i.core * across);
+  const double omega = mean_vorticity(i);
   Choice c{};
   c.sigma_max = 1.2 * width * std::sqrt(e);
   c.sigma_0 = c.sigma_max / 1.3;
-  c.dt = fitted_step(scene, 0.4 / omega);
+  c.dt = 0.4 / omega;
+  if (scene.flow.nu > 0) c.dt = std::min(c.dt, c.sigma_max * c.sigma_max / (4 * scene.flow.nu));
+  c.dt = fitted_step(scene, c.dt);
   c.merging = 0.02 * e * width * omega;
   c.reach = SceneMerging{}.reach;
   c.cap = SceneMerging{}.cap;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -18,13 +19,17 @@ using merge_kernel::Choice;
 using merge_kernel::Limits;
 using merge_kernel::none;
 
+/// At candidates, in the mean of a part: flows that went well took at most 33. And a second's work,
+/// which a few parts may take anyway.
+constexpr std::size_t most_looks = 2000, few_looks = 100'000'000;
+
 /// Merges like signed parts wherever they are, until no pair is left.
 class Remainder {
  public:
   Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Merging& merging);
 
-  /// Flags in `gone` those that have merged into others.
-  void merge(std::span<char> gone);
+  /// Flags in `gone` those that have merged into others; false if they crowd too much.
+  [[nodiscard]] bool merge(std::span<char> gone);
 
  private:
   using Number = std::uint32_t;
@@ -33,6 +38,7 @@ class Remainder {
     const Part& p = parts_[i];
     candidates_.put(slot_[i], p.x, p.y, std::abs(p.gamma), p.square, p.widening);
   }
+  bool crowded() const { return looked_ > std::max(most_looks * parts_.size(), few_looks); }
   double reach_of(std::size_t slot) const;
   std::size_t seek_together(std::span<const Number> seeking);
   void seek_alone(Number i);
@@ -53,6 +59,7 @@ class Remainder {
   std::vector<Choice> choice_;
   std::vector<Number> choosers_;  // all who have a choice
   std::vector<char> paired_;
+  std::atomic<std::size_t> looked_ = 0;  // at candidates
 };
 
 Bins binned(std::span<const Part> parts, double side) {
@@ -111,9 +118,12 @@ std::size_t Remainder::seek_together(std::span<const Number> seeking) {
     high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach)};
   }
   seekers.choose(candidates_, limits_, [&](auto consider) {
+    std::size_t looked = 0;
     bins_.runs_in(low, high, [&](Number from, Number to) {
       for (Number slot = from; slot < to; ++slot) consider(slot);
+      looked += to - from;
     });
+    looked_.fetch_add(looked, std::memory_order_relaxed);
   });
   for (std::size_t k = 0; k < seekers.size(); ++k) {
     Choice choice = seekers.choice(k);
@@ -127,8 +137,12 @@ void Remainder::seek_alone(Number i) {
   const Part& p = parts_[i];
   const double reach = reach_of(slot_[i]);
   merge_kernel::LoneSeeker<merge_kernel::Lanes> seeker(candidates_, slot_[i]);
-  bins_.runs_near(p.centre(), reach,
-                  [&](Number from, Number to) { seeker.consider(candidates_, from, to, limits_); });
+  std::size_t looked = 0;
+  bins_.runs_near(p.centre(), reach, [&](Number from, Number to) {
+    seeker.consider(candidates_, from, to, limits_);
+    looked += to - from;
+  });
+  looked_.fetch_add(looked, std::memory_order_relaxed);
   choice_[i] = seeker.choice();
   if (choice_[i].partner != none) choice_[i].partner = bins_.order()[choice_[i].partner];
 }
@@ -191,11 +205,12 @@ std::vector<Remainder::Number> Remainder::deserted() {
   return seeking;
 }
 
-void Remainder::merge(std::span<char> gone) {
+bool Remainder::merge(std::span<char> gone) {
   std::vector<Number> seeking(parts_.size());
   std::iota(seeking.begin(), seeking.end(), 0u);
   while (!seeking.empty()) {
     choose(seeking);
+    if (crowded()) return false;
     const auto pairs = mutual_pairs();
     for (const auto& [into, other] : pairs) {
       join(into, other);
@@ -206,6 +221,7 @@ void Remainder::merge(std::span<char> gone) {
     for (Number i : seeking) choice_[i] = {};
     std::erase_if(seeking, [&](Number i) { return gone[i]; });
   }
+  return true;
 }
 
 void merge_remainder(Parts& parts, const Merging& merging) {
@@ -216,12 +232,15 @@ void merge_remainder(Parts& parts, const Merging& merging) {
   // Few threads are put to better use by a sign each than by what is parallel within one.
   const int threads = omp_get_max_threads();
   const bool both = split > 0 && split < n && threads > 1 && threads <= 4;
+  std::array<bool, 2> merged{true, true};
 #pragma omp parallel for schedule(static, 1) num_threads(2) if (both)
   for (int sign = 0; sign < 2; ++sign) {
     const std::size_t first = borders[sign], size = borders[sign + 1] - first;
     if (size > 0)
-      Remainder({&parts.all[first], size}, parts.at_wall, merging).merge({&gone[first], size});
+      merged[sign] =
+          Remainder({&parts.all[first], size}, parts.at_wall, merging).merge({&gone[first], size});
   }
+  if (!merged[0] || !merged[1]) throw Crowded(n);
   std::size_t left = 0;
   for (std::size_t i = 0; i < n; ++i)
     if (!gone[i]) parts.all[left++] = parts.all[i];

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <stdexcept>
+#include <string>
+
 #include "vortex/parts.hpp"
 
 namespace vortree::vortex {
@@ -13,6 +16,17 @@ struct Merging {
   double tolerance;
   double reach = 2;
   double sigma_max;
+};
+
+/// So many parts lie so close that each has thousands within its reach, and still may not merge.
+struct Crowded : std::runtime_error {
+  std::size_t parts;
+
+  explicit Crowded(std::size_t count)
+      : std::runtime_error(std::to_string(count) +
+                           " blobs crowd in one place and cannot merge: the flow there is too "
+                           "strong for the time step and the cores"),
+        parts(count) {}
 };
 
 /// Merges pairs of like sign, each the partner with which the other errs least:
@@ -36,6 +50,7 @@ struct Merging {
 /// (up to ties), whatever the order of the blobs and the threads. The blobs come out sorted by sign
 /// and place.
 ///
+/// throws  Crowded, where the cost would go with the square of the blobs
 /// cost    O(blobs) for the windows; for what they leave, times the candidates within reach
 void merge_close(Blobs& blobs, const Merging& merging, const Shape* wall);
 

@@ -15,7 +15,7 @@ Retired retire_but(Blobs& blobs, auto stays) {
     if (stays(i))
       blobs.put(left++, at, blobs.gamma[i], blobs.core(i));
     else
-      gone = gone + Retired{blobs.gamma[i], blobs.gamma[i] * at};
+      gone = gone + Retired{blobs.gamma[i], blobs.gamma[i] * at, std::abs(blobs.gamma[i])};
   }
   blobs.resize(left);
   return gone;

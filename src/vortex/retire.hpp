@@ -13,7 +13,7 @@ struct Box {
   }
 };
 
-/// The account of what has left: sum gamma and sum gamma x, which goes on with the stream (as the
+/// The account of what has left: sum gamma, sum |gamma| and sum gamma x, which goes on with the stream (as the
 /// body sees it),
 ///
 ///   d moment/dt = gamma stream.
@@ -25,10 +25,11 @@ struct Box {
 struct Retired {
   double gamma = 0;
   Vec2 moment;
+  double of_both_signs = 0;
 
   void drift(Vec2 way) { moment = moment + gamma * way; }
   friend Retired operator+(const Retired& a, const Retired& b) {
-    return {a.gamma + b.gamma, a.moment + b.moment};
+    return {a.gamma + b.gamma, a.moment + b.moment, a.of_both_signs + b.of_both_signs};
   }
 };
 

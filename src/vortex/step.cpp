@@ -171,6 +171,7 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Pha
     Parts parts = split_apart(blobs, p.splitting, shape, number);
     phase("merge");
     merge_close(parts, p.merging);
+    if (parts.all.size() > p.most_blobs) throw Multiplied(parts.all.size());
     blobs = settled(parts, shape);
   }
   wake.retired = p.retired;
@@ -186,11 +187,9 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const Phase&
   const int parts = parts_of(whole, number);
   if (parts == 1) return step_in_one(blobs, whole, number, phase);
   Problem p = in_parts_of(whole, parts);
-  // Blobs that multiply faster than they merge would not leave this step for minutes.
-  const std::size_t too_many = std::max<std::size_t>(100'000, 200 * blobs.size());
   Wake wake;
   Vec2 pressure;
-  for (int k = 0; k < parts && blobs.size() <= too_many; ++k) {
+  for (int k = 0; k < parts; ++k) {
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
     pressure += (1.0 / parts) * wake.pressure;
     p.retired = wake.retired;

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "vortex/convect.hpp"
@@ -39,6 +41,7 @@ enum class Diffusion { core_spreading, random_walk, particle_exchange };
 /// box       blobs that leave it are retired; so are those of no more circulation than `faintest`
 ///           [m^2/s], 0: none; `retired` all that have left in the steps before
 /// wall      nullptr: free space
+/// most_blobs  a step that leaves more of them, or a part of a step, throws Multiplied
 /// carrying_cores  of a blob's core, that with which it carries others: 1, or sqrt(2), which in the
 ///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
 ///           averaged over its own core, and the energy of free space is conserved too
@@ -49,6 +52,7 @@ struct Problem {
   double dt;
   double time = 0;
   Scheme scheme = Scheme::rk2;
+  std::size_t most_blobs = 20'000'000;
   double carrying_cores = 1;
   double sigma_0;
   Diffusion diffusion = Diffusion::core_spreading;
@@ -82,6 +86,14 @@ struct Wake {
   Retired retired{};
 };
 
+/// Blobs multiply faster than they merge: more than Problem::most_blobs.
+struct Multiplied : std::runtime_error {
+  std::size_t blobs;
+
+  explicit Multiplied(std::size_t count)
+      : std::runtime_error(std::to_string(count) + " blobs"), blobs(count) {}
+};
+
 /// Called with the name of each phase as it begins, for whoever keeps the time.
 using Phase = std::function<void(std::string_view name)>;
 
@@ -92,7 +104,7 @@ Wake start(Blobs& blobs, const Problem& problem);
 /// vorticity, splitting, merging. Beside a wall the first steps, from number 1, are done in 8, 4, 2
 /// and 2 parts of dt, with cores and mergers as much finer: an impulsive start changes the flow as
 /// fast as it is young.
-/// throws  std::invalid_argument for other diffusion than core spreading beside a wall
+/// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const Phase& phase);
 
 /// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at

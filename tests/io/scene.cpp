@@ -30,7 +30,7 @@ TEST_CASE("every key of a scene is read") {
   CHECK(scene.merging == SceneMerging{.tolerance = 0, .reach = 1.5, .cap = 1.3});
   CHECK(scene.initial ==
         SceneInitial{.circulation = -1.5, .core = 0.2, .spacing = 0.9, .centre = {3, 4}});
-  CHECK(scene.time == SceneTime{.dt = 1e-300, .end = 5e-293, .scheme = TimeScheme::rk4});
+  CHECK(scene.time == SceneTime{.dt = 1e-27, .end = 5e-20, .scheme = TimeScheme::rk4});
   CHECK(scene.velocity == SceneVelocity{.method = VelocityMethod::direct,
                                         .tolerance = 1e-14,
                                         .order = 13,

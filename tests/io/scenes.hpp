@@ -55,8 +55,8 @@ core = 0.2
 spacing = 0.9
 centre = [3, 4]
 [time]
-dt = 1e-300
-end = 5e-293
+dt = 1e-27
+end = 5e-20
 scheme = "rk4"
 [velocity]
 method = "direct"
