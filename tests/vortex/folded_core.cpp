@@ -31,14 +31,16 @@ const double cores[] = {0.3, 0.02, 1e-4};
 }  // namespace
 
 TEST_CASE("the profile of a folded core is that of exp and erf, to 5e-16") {
+  // Numbers from 1 to 2 are rounded by 1.1e-16 at most: twice in the table, once in the last sum of
+  // the series, once in what it is compared with.
   for (int k = -4000; k <= 4000; ++k) {
     const double q = 1e-3 * k + 1e-4 * (k % 7), bell = std::exp(-q * q);
     if (std::abs(q) > folded::reach) continue;
     const folded::Profile at = folded::profile(q);
     const double mean = folded::inverse_sqrt_pi * bell + q * std::erf(q);
     CHECK(std::abs(at.mean - mean) <= 5e-16 * std::max(1.0, mean));
-    CHECK(std::abs(at.erf - std::erf(q)) <= 4e-16);
-    CHECK(std::abs(at.slope - 2 * folded::inverse_sqrt_pi * bell) <= 4e-16);
+    CHECK(std::abs(at.erf - std::erf(q)) <= 5e-16);
+    CHECK(std::abs(at.slope - 2 * folded::inverse_sqrt_pi * bell) <= 5e-16);
   }
 }
 

@@ -159,11 +159,13 @@ TEST_CASE("the velocity of a near panel is its integral, of a far one its vortex
   const auto w = velocity(wall, sheet, near);
   for (std::size_t k = 0; k < near.size(); ++k)
     CHECK(std::abs(w[k] - quadrature(near[k], a, e)) < 1e-11);
+  // As disc_multipole.hpp promises, where it serves.
   const std::vector<Complex> far{place(20.5, 3.1), place(40, 0.1), place(5, 1), place(20, 50)};
   const auto v = velocity(wall, sheet, far);
   for (std::size_t k = 0; k < far.size(); ++k) {
     const Complex z = far[k] - test::complex(wall.middle(20));
-    CHECK(std::abs(v[k] - b / (2 * std::numbers::pi * test::i_unit * z)) < 1e-12);
+    const double promised = 1e-10 * b / (2 * std::numbers::pi * std::abs(far[k]));
+    CHECK(std::abs(v[k] - b / (2 * std::numbers::pi * test::i_unit * z)) < promised);
   }
 }
 
