@@ -1,9 +1,14 @@
 #include "fmm/blobs.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "fmm/closeness.hpp"
+#include "fmm/units.hpp"
+#include "tree/points.hpp"
 #include "tree/told.hpp"
 
 namespace vortree::fmm {
@@ -18,29 +23,43 @@ void check_length(const char* name, std::size_t found, std::size_t expected) {
   }
 }
 
-[[noreturn]] void refuse(const char* name, std::size_t i, double value, const char* wish) {
-  throw std::invalid_argument(std::string(name) + "[" + std::to_string(i) + "] is " +
-                              tree::told(value) + "; it must be " + wish);
+using tree::told;
+
+std::string complaint(const char* name, std::size_t i, double value, const std::string& wish) {
+  return std::string(name) + "[" + std::to_string(i) + "] is " + told(value) + "; it must be " +
+         wish;
 }
 
-/// x - x is 0 for finite x only; one branch at the end lets the loop run by lanes.
-bool all_finite(std::span<const double> values) {
-  double rest = 0.0;
-#pragma omp parallel for simd reduction(+ : rest) if (values.size() > many)
-  for (std::size_t i = 0; i < values.size(); ++i) rest += values[i] - values[i];
-  return rest == 0.0;
+[[noreturn]] void refuse(const char* name, std::size_t i, double value, const std::string& wish) {
+  throw std::invalid_argument(complaint(name, i, value, wish));
 }
 
-void check_finite(const char* name, std::span<const double> values) {
-  if (all_finite(values)) return;
+/// None beyond the limit, nor anything but a number; counted, so that the loop runs by lanes.
+bool all_within(std::span<const double> values, double low, double high) {
+  std::size_t outside = 0;
+#pragma omp parallel for simd reduction(+ : outside) if (values.size() > many)
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    outside += values[i] >= low && values[i] <= high ? 0 : 1;
+  }
+  return outside == 0;
+}
+
+void check_within(const char* name, std::span<const double> values, double most) {
+  if (all_within(values, -most, most)) return;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) refuse(name, i, values[i], "finite");
+    if (std::abs(values[i]) > most) {
+      refuse(name, i, values[i], "at most " + told(most) + " in magnitude");
+    }
   }
 }
+
+constexpr double largest_double = std::numeric_limits<double>::max();
 
 void check_cores(std::span<const double> sigma, std::size_t n) {
   if (sigma.empty()) return;
   check_length("sigma", sigma.size(), n);
+  if (all_within(sigma, 0.0, largest_double)) return;
   for (std::size_t i = 0; i < n; ++i) {
     if (!(std::isfinite(sigma[i]) && sigma[i] >= 0.0)) {
       refuse("sigma", i, sigma[i], "finite and >= 0");
@@ -48,21 +67,67 @@ void check_cores(std::span<const double> sigma, std::size_t n) {
   }
 }
 
+void check_distances(const Blobs& blobs, const Units& units) {
+  const double limit = Units::least_length / units.per_length;
+  const auto near = find_close_pair(blobs.x, blobs.y, limit);
+  if (!near) return;
+  throw std::invalid_argument("blobs " + std::to_string(near->first) + " and " +
+                              std::to_string(near->second) + " are " + told(near->distance) +
+                              " apart; of an extent like that of all blobs, " +
+                              told(1 / units.per_length) + ", doubles resolve " + told(limit));
+}
+
+/// Cores so wide that they count as less wide must not move what others leave alone.
+void check_wide_cores(const Blobs& blobs, const Units& units) {
+  const double widest = std::sqrt(Units::largest_core) / units.per_length;
+  if (all_within(blobs.sigma, 0.0, widest)) return;
+  double weak = 0.0, strong = 0.0;
+  std::size_t first = blobs.size();
+  for (std::size_t i = 0; i < blobs.sigma.size(); ++i) {
+    const double gamma = std::abs(units.circulation(blobs.gamma[i]));
+    if (blobs.sigma[i] > widest) {
+      if (gamma > 0.0) first = std::min(first, i), weak += gamma / Units::largest_core;
+    } else {
+      strong = std::max(strong, gamma / std::max(1.0, units.squared_core(blobs.sigma[i])));
+    }
+  }
+  if (weak > 0x1p-53 * strong) {
+    refuse("sigma", first, blobs.sigma[first],
+           "at most " + told(widest) + ", 1e60 times the extent of the blobs");
+  }
+}
+
 }  // namespace
 
-void check(const Blobs& blobs) {
+Units check(const Blobs& blobs) {
   check_length("y", blobs.y.size(), blobs.size());
   check_length("gamma", blobs.gamma.size(), blobs.size());
-  check_finite("x", blobs.x);
-  check_finite("y", blobs.y);
-  check_finite("gamma", blobs.gamma);
+  check_within("x", blobs.x, tree::largest_coordinate);
+  check_within("y", blobs.y, tree::largest_coordinate);
+  check_within("gamma", blobs.gamma, largest_double);
   check_cores(blobs.sigma, blobs.size());
+  const Units units = Units::of(blobs);
+  check_distances(blobs, units);
+  check_wide_cores(blobs, units);
+  return units;
+}
+
+std::string complain_of_cores(std::span<const double> sigma, const Units& units, bool wide) {
+  const double least = Units::least_length / units.per_length;
+  const double widest = wide ? std::sqrt(Units::largest_core) / units.per_length : largest_double;
+  if (all_within(sigma, least, widest)) return {};
+  const auto found = std::ranges::find_if(
+      sigma, [&](double value) { return value > widest || (value < least && value != 0.0); });
+  if (found == sigma.end()) return {};
+  return complaint("sigma", static_cast<std::size_t>(found - sigma.begin()), *found,
+                   "0 or at least " + told(least) + (wide ? " and at most " + told(widest) : "") +
+                       " for a gradient or a stream function of blobs of this extent");
 }
 
 void check(const Targets& targets) {
   check_length("y", targets.y.size(), targets.size());
-  check_finite("x", targets.x);
-  check_finite("y", targets.y);
+  check_within("x", targets.x, largest_double);
+  check_within("y", targets.y, largest_double);
   check_cores(targets.sigma, targets.size());
 }
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 namespace vortree::fmm {
+
+struct Units;
 
 /// Vortex blobs of Gaussian core, read only.
 ///
@@ -30,10 +33,17 @@ struct Targets {
 ///   mean     S = (sigma_i^2 + sigma_j^2) / 2    symmetric: conserves sum gamma x to round-off
 enum class Cores { source, mean };
 
-/// throws  std::invalid_argument naming what differs in length, or the first value that is not
-///         finite or (sigma) negative, with its index
-void check(const Blobs& blobs);
+/// throws  std::invalid_argument naming what differs in length, or the first value that cannot be
+///         summed, with its index: not finite; (sigma) negative; of blobs also a coordinate beyond
+///         1e307, two places nearer than 6e-67 of the extent of all, or a core of more than 1e60
+///         extents that would count
+/// returns the units of the blobs
+Units check(const Blobs& blobs);
 void check(const Targets& targets);
+/// Why gradient and stream function cannot be told of such cores, which they feel each at its own
+/// place: one is not nothing, but less than 6e-67 of the extent, or with `wide` more than 1e60.
+/// Empty if they can.
+std::string complain_of_cores(std::span<const double> sigma, const Units& units, bool wide);
 /// throws  std::invalid_argument unless u and v hold n values, or those of a name
 void check_result(std::size_t n, std::span<const double> u, std::span<const double> v);
 void check_result(std::size_t n, const char* name, std::span<const double> values);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace vortree::fmm {
 namespace {
@@ -42,10 +43,10 @@ const Value& announced(const Phase& phase, std::string_view name, const Value& v
 
 }  // namespace
 
-Boxes::Boxes(const Blobs& blobs, const Options& options, const Phase& phase)
+Boxes::Boxes(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase)
     : options_(resolve(options, blobs)),
       phase_(phase),
-      units_(Units::of(announced(phase, "tree", blobs))),
+      units_(announced(phase, "tree", units)),
       order_(choose_order(options_)),
       blobs_(arrange({blobs.x, blobs.y, blobs.sigma}, units_, grown(options_))),
       gamma_(arrange_gamma(blobs_.tree, blobs.gamma, units_)),
@@ -63,28 +64,53 @@ bool Boxes::cored(const Arrangement& targets) const {
 Acceptance Boxes::acceptance(bool cored) const {
   return {.order = order_,
           .reach2 = cored ? core_reach2(options_.tolerance) : 0.0,
-          .cores = options_.cores};
+          .cores = options_.cores,
+          .lost2 = options_.tolerance * options_.tolerance};
 }
 
-void Boxes::evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
-                        std::span<double> v) const {
+Expected Boxes::evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
+                            std::span<double> v) const {
   tell(phase_, "evaluate");
-  evaluate({blobs_, multipoles_, gamma_}, targets, acceptance(cored), coarse(options_), u, v);
+  const Expected expected =
+      evaluate({blobs_, multipoles_, gamma_}, targets, acceptance(cored), coarse(options_), u, v);
+  units_.check_range(expected.found, u.size(), 0);
   units_.to_velocity(u);
   units_.to_velocity(v);
+  return expected;
 }
 
-void Boxes::velocity(std::span<double> u, std::span<double> v) const {
-  evaluate_at(blobs_, any_core(blobs_), u, v);
+Expected Boxes::velocity(std::span<double> u, std::span<double> v) const {
+  return evaluate_at(blobs_, any_core(blobs_), u, v);
 }
 
-void Boxes::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
+Expected Boxes::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
   const Arrangement at = arrange(targets, units_, growth());
-  evaluate_at(at, cored(at), u, v);
+  const Expected expected = evaluate_at(at, cored(at), u, v);
+  units_.finish_far(std::accumulate(gamma_.begin(), gamma_.end(), 0.0), targets.x, targets.y, u, v);
+  return expected;
 }
 
-void Boxes::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {
-  evaluate_at(arrange({targets.x, targets.y, {}}, units_, growth()), false, u, v);
+Expected Boxes::velocity_bare(tree::Points targets, std::span<double> u,
+                              std::span<double> v) const {
+  const Expected expected =
+      evaluate_at(arrange({targets.x, targets.y, {}}, units_, growth()), false, u, v);
+  units_.finish_far(std::accumulate(gamma_.begin(), gamma_.end(), 0.0), targets.x, targets.y, u, v);
+  return expected;
+}
+
+BlobColumns Boxes::blobs() const {
+  const auto order = blobs_.tree.order();
+  BlobColumns all;
+  for (auto* column : {&all.x, &all.y, &all.gamma}) column->resize(order.size());
+  const bool cored = any_core(blobs_);
+  if (cored) all.sigma.resize(order.size());
+  for (std::size_t j = 0; j < order.size(); ++j) {
+    all.x[order[j]] = blobs_.points.x[j] / units_.per_length;
+    all.y[order[j]] = blobs_.points.y[j] / units_.per_length;
+    all.gamma[order[j]] = gamma_[j] / units_.per_gamma;
+    if (cored) all.sigma[order[j]] = std::sqrt(blobs_.points.core[j]) / units_.per_length;
+  }
+  return all;
 }
 
 Work Boxes::work() const {

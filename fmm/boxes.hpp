@@ -19,33 +19,36 @@ namespace vortree::fmm {
 class Boxes final : public Evaluator {
  public:
   /// phase   told "tree", "upward", and "evaluate" at each sum
-  Boxes(const Blobs& blobs, const Options& options, const Phase& phase);
+  Boxes(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase);
 
-  void velocity(std::span<double> u, std::span<double> v) const override;
-  void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
-                             std::span<double> uy, std::span<double> vx) const override;
-  void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const override;
-  void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const override;
-  void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
-                std::span<double> vx) const override;
-  void stream_function(const Targets& targets, std::span<double> psi) const override;
+  Expected velocity(std::span<double> u, std::span<double> v) const override;
+  Expected velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                                 std::span<double> uy, std::span<double> vx) const override;
+  Expected velocity(const Targets& targets, std::span<double> u,
+                    std::span<double> v) const override;
+  Expected velocity_bare(tree::Points targets, std::span<double> u,
+                         std::span<double> v) const override;
+  Expected gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                    std::span<double> vx) const override;
+  Expected stream_function(const Targets& targets, std::span<double> psi) const override;
 
   [[nodiscard]] int order() const override { return order_.most(); }
   [[nodiscard]] const tree::Quadtree& tree() const override { return blobs_.tree; }
   [[nodiscard]] Work work() const override;
   [[nodiscard]] std::size_t bytes() const override;
+  [[nodiscard]] BlobColumns blobs() const override;
 
  private:
   [[nodiscard]] Growth growth() const;
   [[nodiscard]] bool cored(const Arrangement& targets) const;
   [[nodiscard]] Acceptance acceptance(bool cored) const;
   template <class Field>
-  void evaluate_field(const Field& field, const Order& order, const Arrangement& at,
-                      std::array<double*, 3> results) const;
-  void gradient_at(const Arrangement& targets, std::span<double> ux, std::span<double> uy,
-                   std::span<double> vx) const;
-  void evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
-                   std::span<double> v) const;
+  Expected evaluate_field(const Field& field, const Order& order, const Arrangement& at,
+                          std::array<double*, 3> results) const;
+  Expected gradient_at(const Arrangement& targets, std::span<double> ux, std::span<double> uy,
+                       std::span<double> vx) const;
+  Expected evaluate_at(const Arrangement& targets, bool cored, std::span<double> u,
+                       std::span<double> v) const;
 
   Options options_;
   Phase phase_;

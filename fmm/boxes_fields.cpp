@@ -5,6 +5,7 @@
 
 #include "fmm/batch.hpp"
 #include "fmm/boxes.hpp"
+#include "fmm/far.hpp"
 #include "fmm/field.hpp"
 #include "fmm/near.hpp"
 
@@ -12,15 +13,16 @@ namespace vortree::fmm {
 
 /// Each leaf of the targets' tree looks for its own series and near sources, from the root on.
 template <class Field>
-void Boxes::evaluate_field(const Field& field, const Order& order, const Arrangement& at,
-                           std::array<double*, 3> results) const {
+Expected Boxes::evaluate_field(const Field& field, const Order& order, const Arrangement& at,
+                               std::array<double*, 3> results) const {
   const std::size_t n = at.points.size();
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], n, 0.0);
-  if (n == 0 || blobs_.points.size() == 0) return;
+  if (n == 0 || blobs_.points.size() == 0) return {};
   Acceptance accepted = acceptance(cored(at));
   accepted.order = order;
   if (accepted.reach2 > 0.0) accepted.reach2 = Field::reach2(options_.tolerance);
   const auto leaves = at.tree.childless();
+  std::vector<Expected> expected(leaves.size());
   const std::uint32_t root[] = {0};
 #pragma omp parallel
   {
@@ -52,38 +54,49 @@ void Boxes::evaluate_field(const Field& field, const Order& order, const Arrange
         for (std::uint32_t j = own.first; j < own.last; ++j) {
           results[s][at.tree.order()[j]] = sums[s][j - own.first];
         }
+        expected[k].found += sum_of_squares(std::span(sums[s]).first(own.size()));
       }
+      Lost lost = near.lost(accepted.reach2, Field::derivative, false);
+      lost += lost_by_series(multipoles_, accepted, found.series, Field::derivative);
+      expected[k].lost = static_cast<double>(own.size()) * lost;
     }
   }
+  return total(expected);
 }
 
-void Boxes::gradient_at(const Arrangement& targets, std::span<double> ux, std::span<double> uy,
-                        std::span<double> vx) const {
+Expected Boxes::gradient_at(const Arrangement& targets, std::span<double> ux, std::span<double> uy,
+                            std::span<double> vx) const {
   if (phase_) phase_("evaluate");
   const int terms = order_.most();
   const Order order =
       options_.order > 0 ? order_ : Order::fixed(terms, slope_ratio(options_.tolerance, terms));
-  evaluate_field(Gradient{}, order, targets, {uy.data(), ux.data(), vx.data()});
+  const Expected expected =
+      evaluate_field(Gradient{}, order, targets, {uy.data(), ux.data(), vx.data()});
+  units_.check_range(expected.found, targets.points.size(), 1);
   finish_gradient(units_, ux, uy, vx);
+  return expected;
 }
 
-void Boxes::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
-                     std::span<double> vx) const {
-  gradient_at(arrange(targets, units_, growth()), ux, uy, vx);
+Expected Boxes::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                         std::span<double> vx) const {
+  return gradient_at(arrange(targets, units_, growth()), ux, uy, vx);
 }
 
-void Boxes::velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
-                                  std::span<double> uy, std::span<double> vx) const {
-  velocity(u, v);
-  gradient_at(blobs_, ux, uy, vx);
+Expected Boxes::velocity_and_gradient(std::span<double> u, std::span<double> v,
+                                      std::span<double> ux, std::span<double> uy,
+                                      std::span<double> vx) const {
+  const Expected expected = velocity(u, v);
+  return worse(expected, gradient_at(blobs_, ux, uy, vx));
 }
 
-void Boxes::stream_function(const Targets& targets, std::span<double> psi) const {
+Expected Boxes::stream_function(const Targets& targets, std::span<double> psi) const {
   if (phase_) phase_("evaluate");
-  evaluate_field(StreamFunction{log_unit(units_), {}}, order_, arrange(targets, units_, growth()),
-                 {psi.data()});
+  Expected expected = evaluate_field(StreamFunction{log_unit(units_), {}}, order_,
+                                     arrange(targets, units_, growth()), {psi.data()});
   const double all = std::accumulate(gamma_.begin(), gamma_.end(), 0.0);
-  finish_stream_function(units_, all, targets, psi);
+  expected.found = finish_stream_function(units_, all, targets, psi);
+  units_.check_range(expected.found, psi.size(), -1);
+  return expected;
 }
 
 }  // namespace vortree::fmm

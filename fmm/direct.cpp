@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "fmm/expected.hpp"
 #include "fmm/field.hpp"
 #include "fmm/p2p_kernel.hpp"
 #include "fmm/units.hpp"
@@ -53,14 +56,22 @@ void sum_all(const Blobs& blobs, const Targets& targets, std::span<double> u, st
   std::ranges::fill(u, 0.0);
   std::ranges::fill(v, 0.0);
   const std::size_t n = targets.size();
-#pragma omp parallel for schedule(dynamic)
+  double found = 0.0;  // asked only for its order of magnitude
+#pragma omp parallel for schedule(dynamic) reduction(+ : found)
   for (std::size_t first = 0; first < n; first += batch) {
     const Batch local(targets, first, units);
     const NearTargets some{local.x, local.y, local.core, &u[first], &v[first], local.size};
     for (const Packed& packed : sources) p2p<Pair>(packed, some);
-    units.to_velocity(u.subspan(first, local.size));
-    units.to_velocity(v.subspan(first, local.size));
+    for (const std::span<double> sums :
+         {u.subspan(first, local.size), v.subspan(first, local.size)}) {
+      found += sum_of_squares(sums);
+      units.to_velocity(sums);
+    }
   }
+  units.check_range(found, n, 0);
+  double all = 0.0;
+  for (const double gamma : blobs.gamma) all += units.circulation(gamma);
+  units.finish_far(all, targets.x, targets.y, u, v);
 }
 
 bool bare(const Blobs& blobs, const Targets& targets, Cores cores) {
@@ -88,12 +99,15 @@ void velocity_direct(const Blobs& blobs, const Targets& targets, Cores cores, st
 
 void gradient_direct(const Blobs& blobs, const Targets& targets, Cores cores, std::span<double> ux,
                      std::span<double> uy, std::span<double> vx) {
-  check(blobs);
+  const Units units = check(blobs);
   check(targets);
+  for (const std::span<const double> sigma : {blobs.sigma, targets.sigma}) {
+    const std::string complaint = complain_of_cores(sigma, units, false);
+    if (!complaint.empty()) throw std::invalid_argument(complaint);
+  }
   check_result(targets.size(), "ux", ux);
   check_result(targets.size(), "uy", uy);
   check_result(targets.size(), "vx", vx);
-  const Units units = Units::of(blobs);
   const auto sources = tiles(blobs, units, std::identity{});
   const bool without = bare(blobs, targets, cores);
   for (const std::span<double> sums : {ux, uy, vx}) std::ranges::fill(sums, 0.0);
@@ -111,6 +125,7 @@ void gradient_direct(const Blobs& blobs, const Targets& targets, Cores cores, st
       }
     }
   }
+  units.check_range(sum_of_squares(ux) + sum_of_squares(uy) + sum_of_squares(vx), n, 1);
   finish_gradient(units, ux, uy, vx);
 }
 

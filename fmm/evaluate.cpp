@@ -43,8 +43,9 @@ std::vector<BlockOfLeaves> gather_blocks(const tree::Quadtree& tree) {
   return blocks;
 }
 
+/// What it is expected to lose at a target.
 template <class Pair>
-void evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint32_t leaf,
+Lost evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint32_t leaf,
                    const Acceptance& acceptance, bool coarse, Scratch& scratch) {
   const tree::Range range = targets.tree.cells()[leaf].points;
   const TargetBox target = box(targets.shapes, leaf);
@@ -58,12 +59,15 @@ void evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint
                          {batch.x.data(), batch.y.data(), batch.core.data(), batch.u.data(),
                           batch.v.data(), range.size()},
                          coarse);
+  Lost lost = lost_by_series(sources.multipoles, acceptance, scratch.found.series, 0);
+  lost += scratch.near.lost(acceptance.reach2, 0, coarse);
+  return lost;
 }
 
 template <class Pair>
-void evaluate_block(const Sources& sources, const Arrangement& targets, const BlockOfLeaves& block,
-                    const Acceptance& acceptance, bool coarse, Scratch& scratch,
-                    std::span<double> u, std::span<double> v) {
+Expected evaluate_block(const Sources& sources, const Arrangement& targets,
+                        const BlockOfLeaves& block, const Acceptance& acceptance, bool coarse,
+                        Scratch& scratch, std::span<double> u, std::span<double> v) {
   const auto cells = targets.tree.cells();
   const auto order = targets.tree.order();
   const tree::Range all = cells[block.cell].points;
@@ -71,40 +75,54 @@ void evaluate_block(const Sources& sources, const Arrangement& targets, const Bl
   find_shared(sources.at.tree, sources.at.shapes, around, acceptance, scratch.shared);
   scratch.block.take(targets.points, all, around);
   scratch.far.add(sources.at.shapes, sources.multipoles, scratch.shared.series, scratch.block);
+  Expected expected{0.0,
+                    static_cast<double>(all.size()) *
+                        lost_by_series(sources.multipoles, acceptance, scratch.shared.series, 0)};
   for (std::uint32_t k = block.first; k < block.last; ++k) {
     const std::uint32_t leaf = targets.tree.childless()[k];
-    evaluate_leaf<Pair>(sources, targets, leaf, acceptance, coarse, scratch);
+    const Lost lost = evaluate_leaf<Pair>(sources, targets, leaf, acceptance, coarse, scratch);
     const tree::Range own = cells[leaf].points;
+    expected.lost += static_cast<double>(own.size()) * lost;
     for (std::uint32_t j = own.first; j < own.last; ++j) {
-      u[order[j]] = scratch.block.u[j - all.first] + scratch.leaf.u[j - own.first];
-      v[order[j]] = scratch.block.v[j - all.first] + scratch.leaf.v[j - own.first];
+      const double found_u = scratch.block.u[j - all.first] + scratch.leaf.u[j - own.first];
+      const double found_v = scratch.block.v[j - all.first] + scratch.leaf.v[j - own.first];
+      expected.found += found_u * found_u + found_v * found_v;
+      u[order[j]] = found_u, v[order[j]] = found_v;
     }
   }
+  return expected;
 }
 
 template <class Pair>
-void evaluate_with(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
-                   bool coarse, std::span<double> u, std::span<double> v) {
+Expected evaluate_with(const Sources& sources, const Arrangement& targets,
+                       const Acceptance& acceptance, bool coarse, std::span<double> u,
+                       std::span<double> v) {
   const std::vector<BlockOfLeaves> blocks = gather_blocks(targets.tree);
+  std::vector<Expected> expected(blocks.size());
 #pragma omp parallel
   {
     Scratch scratch;
 #pragma omp for schedule(dynamic)
     for (std::size_t k = 0; k < blocks.size(); ++k) {
-      evaluate_block<Pair>(sources, targets, blocks[k], acceptance, coarse, scratch, u, v);
+      expected[k] =
+          evaluate_block<Pair>(sources, targets, blocks[k], acceptance, coarse, scratch, u, v);
     }
   }
+  return total(expected);
 }
 
 }  // namespace
 
-void evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
-              bool coarse, std::span<double> u, std::span<double> v) {
+Expected evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
+                  bool coarse, std::span<double> u, std::span<double> v) {
   if (acceptance.reach2 == 0.0) {
     return evaluate_with<BarePair>(sources, targets, acceptance, coarse, u, v);
   }
-  with_pair(acceptance.cores, coarse,
-            [&]<class Pair>() { evaluate_with<Pair>(sources, targets, acceptance, coarse, u, v); });
+  Expected expected;
+  with_pair(acceptance.cores, coarse, [&]<class Pair>() {
+    expected = evaluate_with<Pair>(sources, targets, acceptance, coarse, u, v);
+  });
+  return expected;
 }
 
 Work count_work(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance) {

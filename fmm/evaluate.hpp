@@ -23,10 +23,11 @@ struct Sources {
 /// targets  the childless cells of their tree are evaluated one by one
 /// coarse   single precision is exact enough for cored near sums
 /// u, v     one a target, in input order; overwritten
+/// returns  what was found, and what of it is expected to be lost
 /// Each block of leaves is summed by one thread in a fixed order: the result does not depend on the
 /// threads.
-void evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
-              bool coarse, std::span<double> u, std::span<double> v);
+Expected evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
+                  bool coarse, std::span<double> u, std::span<double> v);
 
 /// The work of evaluate(), counted.
 [[nodiscard]] Work count_work(const Sources& sources, const Arrangement& targets,

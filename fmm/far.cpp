@@ -4,9 +4,14 @@
 
 #include "fmm/multipole_kernel.hpp"
 #include "fmm/multipole_single_kernel.hpp"
+#include "fmm/near_errors.hpp"
 
 namespace vortree::fmm {
 namespace {
+
+/// Sources are not all in line with the targets, and terms are chosen for the nearest of those: the
+/// squared loss is so many times less than order.hpp bounds it by (tests/fmm/cancelling.cpp).
+constexpr double in_line2 = 25;
 
 /// Cells whose length is less than this part of the batch's leave the range of floats.
 constexpr double least_length = 1e-12;
@@ -42,6 +47,22 @@ void add_double(const CellShapes& shapes, const Multipoles& multipoles, SeriesCe
 }
 
 }  // namespace
+
+Lost lost_by_series(const Multipoles& multipoles, const Acceptance& acceptance,
+                    std::span<const SeriesCell> series, int derivative) {
+  const bool in_floats = multipoles.in_single() && derivative == 0;
+  const double terms = multipoles.order();
+  Lost lost;
+  for (const SeriesCell met : series) {
+    const Charge& charge = multipoles.charge(met.cell);
+    double per_square = met.per_distance2;
+    if (derivative > 0) per_square *= met.per_distance2;
+    if (derivative < 0) per_square = 4 / (terms * terms);
+    lost += {charge.effective * per_square, charge.squares * per_square};
+  }
+  return {acceptance.lost2 / in_line2 * lost.series,
+          in_floats ? float_rounding2 * lost.rounding : 0.0};
+}
 
 void FarSums::take_single(const Batch& batch) {
   const double half = std::max(batch.box.half_x, batch.box.half_y);

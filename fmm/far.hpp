@@ -5,10 +5,16 @@
 
 #include "fmm/batch.hpp"
 #include "fmm/cells.hpp"
+#include "fmm/expected.hpp"
 #include "fmm/interactions.hpp"
 #include "fmm/multipoles.hpp"
 
 namespace vortree::fmm {
+
+/// What series are expected to lose at a target, of f, a derivative of it (1) or its integral (-1).
+/// Terms were chosen for the tolerance of (charge / distance) (order.hpp).
+[[nodiscard]] Lost lost_by_series(const Multipoles& multipoles, const Acceptance& acceptance,
+                                  std::span<const SeriesCell> series, int derivative);
 
 /// Sums of series at the targets of a block or leaf.
 class FarSums {

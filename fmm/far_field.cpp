@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "fmm/expansion_kernel.hpp"
+#include "fmm/expected.hpp"
+#include "fmm/lattice_order.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -81,6 +83,11 @@ FarField<Number>::FarField(const Stage& stage, TranslationTables<Number> tables)
           padded(static_cast<std::size_t>(tables_.order), VectorOf<Number>::count))) {
   const auto cells = stage.tree.cells();
   multipoles_.resize(cells.size() * stride());
+  charges_.resize(cells.size());
+  charge_weights_.resize(static_cast<std::size_t>(padded_), 0);
+  for (int k = 0; k < std::min(tables_.order, LatticeOrder::most_known); ++k) {
+    charge_weights_[k] = static_cast<Number>(1 / mean_power(k));
+  }
   const auto childless = stage.tree.childless();
 #pragma omp parallel for schedule(static)
   for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) add_points(stage, childless[leaf]);
@@ -117,6 +124,16 @@ void FarField<Number>::add_points(const Stage& stage, std::uint32_t cell) {
                                               series);
                      });
                    });
+  const tree::Range places = stage.leaves.places(stage.lists.leaves(cell));
+  charges_[cell].squares =
+      sum_of_squares(std::span(stage.leaves.gamma).subspan(places.first, places.size()));
+  set_effective_charge(cell);
+}
+
+template <class Number>
+void FarField<Number>::set_effective_charge(std::uint32_t cell) {
+  const Number* re = multipole(cell);
+  charges_[cell].effective = effective_charge(re, re + padded_, charge_weights_.data(), padded_);
 }
 
 template <class Number>
@@ -137,6 +154,14 @@ void FarField<Number>::add_children(const Stage& stage, Families& families) {
                       families.parent.data());
   }
   scatter_series<Number>(families.parent.data(), padded_, to);
+  for (int i = 0; i < families.size; ++i) {
+    const std::uint32_t parent = families.parents[i];
+    const tree::Range children = stage.tree.cells()[parent].children;
+    for (std::uint32_t k = children.first; k < children.last; ++k) {
+      charges_[parent].squares += charges_[k].squares;
+    }
+    set_effective_charge(parent);
+  }
 }
 
 template <class Number>

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "fmm/charge.hpp"
 #include "fmm/deep_tree.hpp"
 #include "fmm/leaves.hpp"
 #include "fmm/lists.hpp"
@@ -47,9 +48,12 @@ class FarField {
     return {local(cell), local(cell) + padded_, tables_.order};
   }
 
+  [[nodiscard]] const Charge& charge(std::size_t cell) const { return charges_[cell]; }
+
   [[nodiscard]] int order() const { return tables_.order; }
   [[nodiscard]] std::size_t bytes() const {
-    return sizeof(Number) * (multipoles_.capacity() + locals_.capacity());
+    return sizeof(Number) * (multipoles_.capacity() + locals_.capacity()) +
+           sizeof(Charge) * charges_.capacity();
   }
 
  private:
@@ -67,11 +71,14 @@ class FarField {
   void add_points(const Stage& stage, std::uint32_t cell);
   void add_children(const Stage& stage, Families& families);
   void add_far(const Stage& stage, std::uint32_t cell);
+  void set_effective_charge(std::uint32_t cell);
   void meet_families(const Stage& stage, Families& families);
 
   TranslationTables<Number> tables_;
   int padded_ = 0;
   Series multipoles_, locals_;
+  std::vector<Number> charge_weights_;
+  std::vector<Charge> charges_;
 };
 
 }  // namespace vortree::fmm

@@ -47,16 +47,19 @@ void finish_gradient(const Units& units, std::span<double> ux, std::span<double>
 
 /// Lengths l in the user's units are l per_length in Units, which adds ln per_length to every
 /// logarithm.
-void finish_stream_function(const Units& units, double all, const Targets& targets,
-                            std::span<double> psi) {
+double finish_stream_function(const Units& units, double all, const Targets& targets,
+                              std::span<double> psi) {
   const double unit = log_unit(units);
+  double found = 0.0;
   for (std::size_t i = 0; i < psi.size(); ++i) {
     const double x = targets.x[i], y = targets.y[i];
     const bool beyond =
         std::max(std::abs(x * units.per_length), std::abs(y * units.per_length)) > Units::far_away;
     const double sum = beyond ? all * log_square(x, y) : psi[i] - all * unit;
+    found += sum * sum;
     psi[i] = std::ldexp((0.0 - sum) / (4.0 * std::numbers::pi), -std::ilogb(units.per_gamma));
   }
+  return found;
 }
 
 }  // namespace vortree::fmm

@@ -42,6 +42,7 @@ struct CoreShares {
 /// twin    tests/fmm/derivatives.cpp, in long double
 struct Gradient {
   static constexpr std::size_t count = 3;
+  static constexpr int derivative = 1;  // of f
 
   /// r^2/S from which on a core counts as nothing: where what it takes from the strain, (1 + q)
   /// exp(-q) of it, is what exp(-q) is for the velocity; farther than the lists of cells go by.
@@ -66,6 +67,7 @@ struct Gradient {
 /// twin    tests/fmm/derivatives.cpp, in long double
 struct StreamFunction {
   static constexpr std::size_t count = 1;
+  static constexpr int derivative = -1;
   /// That of the velocity (core_reach2).
   static constexpr bool farther = false;
   static double reach2(double tolerance);
@@ -92,10 +94,11 @@ struct StreamFunction {
 /// The sums in the user's units, in place: from strain and rotation to du/dx, du/dy, dv/dx, and
 /// from logarithms to psi.
 ///
-/// all   the sum of all circulations, in Units
+/// all       the sum of all circulations, in Units
+/// returns   the sum of squares of what stands for psi in the unit of the sums
 void finish_gradient(const Units& units, std::span<double> ux, std::span<double> uy,
                      std::span<double> vx);
-void finish_stream_function(const Units& units, double all, const Targets& targets,
-                            std::span<double> psi);
+double finish_stream_function(const Units& units, double all, const Targets& targets,
+                              std::span<double> psi);
 
 }  // namespace vortree::fmm

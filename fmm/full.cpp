@@ -55,10 +55,10 @@ void tell(const Phase& phase, const char* name) {
 
 }  // namespace
 
-Full::Full(const Blobs& blobs, const Options& options, const Phase& phase)
+Full::Full(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase)
     : options_(resolve(options, blobs)),
       phase_(phase),
-      units_(Units::of(blobs)),
+      units_(units),
       order_(choose_order(options_)) {
   tell(phase_, "tree");
   grow(blobs);
@@ -70,6 +70,7 @@ Full::Full(const Blobs& blobs, const Options& options, const Phase& phase)
     FarField<Number> far(stage(), TranslationTables<Number>(order_.most, order_.terms));
     tell(phase_, "far");
     far.descend(stage());
+    errors_ = FarErrors(stage(), far, order_, 0);
     far_ = std::move(far);
   };
   coarse(options_) ? make(float{}) : make(double{});
@@ -100,14 +101,16 @@ void Full::list() {
     return;
   }
   core_.resize(cells.size());
+  least_core_.resize(cells.size(), Units::largest_core);
   const auto childless = tree_.childless();
   for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
     const auto first = leaves_.points.core.begin() + leaves_.start[leaf];
-    core_[childless[leaf]] = *std::max_element(first, first + leaves_.size[leaf]);
+    const auto [least, most] = std::minmax_element(first, first + leaves_.size[leaf]);
+    core_[childless[leaf]] = *most, least_core_[childless[leaf]] = *least;
   }
   for (std::size_t c = cells.size(); c-- > 1;) {
-    double& parent = core_[cells[c].parent];
-    parent = std::max(parent, core_[c]);
+    double &most = core_[cells[c].parent], &least = least_core_[cells[c].parent];
+    most = std::max(most, core_[c]), least = std::min(least, least_core_[c]);
   }
   const double reach2 = core_reach2(options_.tolerance);
   lists_ = Lists(tree_, few, [&](std::uint32_t a, std::uint32_t b, double gap) {
@@ -135,6 +138,31 @@ Acceptance Full::acceptance(bool cored) const {
   return {.order = Order::fixed(order_.most),
           .reach2 = cored ? core_reach2(options_.tolerance) : 0.0,
           .cores = options_.cores};
+}
+
+FarErrors Full::far_errors(int derivative) const {
+  return std::visit([&](const auto& far) { return FarErrors(stage(), far, order_, derivative); },
+                    far_);
+}
+
+BlobColumns Full::blobs() const {
+  const auto order = tree_.order();
+  BlobColumns all;
+  for (auto* column : {&all.x, &all.y, &all.gamma}) column->resize(order.size());
+  if (leaves_.cored()) all.sigma.resize(order.size());
+  std::size_t j = 0;
+  for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) {
+    for (std::uint32_t k = 0; k < leaves_.size[leaf]; ++k, ++j) {
+      const std::uint32_t from = leaves_.start[leaf] + k, to = order[j];
+      all.x[to] = leaves_.points.x[from] / units_.per_length;
+      all.y[to] = leaves_.points.y[from] / units_.per_length;
+      all.gamma[to] = leaves_.gamma[from] / units_.per_gamma;
+      if (leaves_.cored()) {
+        all.sigma[to] = std::sqrt(leaves_.points.core[from]) / units_.per_length;
+      }
+    }
+  }
+  return all;
 }
 
 Work Full::work() const {

@@ -6,11 +6,13 @@
 
 #include "fmm/deep_tree.hpp"
 #include "fmm/evaluator.hpp"
+#include "fmm/far_errors.hpp"
 #include "fmm/far_field.hpp"
 #include "fmm/lattice_order.hpp"
 #include "fmm/leaves.hpp"
 #include "fmm/lists.hpp"
 #include "fmm/near.hpp"
+#include "fmm/near_errors.hpp"
 #include "fmm/options.hpp"
 #include "fmm/slabs.hpp"
 #include "fmm/units.hpp"
@@ -28,25 +30,28 @@ namespace vortree::fmm {
 class Full final : public Evaluator {
  public:
   /// phase   told "tree", "upward", "far", and "near" at each sum
-  Full(const Blobs& blobs, const Options& options, const Phase& phase);
+  Full(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase);
 
   /// False if so many cells refuse to meet by series, because of cores, that their points had
   /// better be guarded one by one. Then there are no sums.
   [[nodiscard]] bool serves() const { return serves_; }
 
-  void velocity(std::span<double> u, std::span<double> v) const override;
-  void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
-                             std::span<double> uy, std::span<double> vx) const override;
-  void velocity(const Targets& targets, std::span<double> u, std::span<double> v) const override;
-  void velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const override;
-  void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
-                std::span<double> vx) const override;
-  void stream_function(const Targets& targets, std::span<double> psi) const override;
+  Expected velocity(std::span<double> u, std::span<double> v) const override;
+  Expected velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                                 std::span<double> uy, std::span<double> vx) const override;
+  Expected velocity(const Targets& targets, std::span<double> u,
+                    std::span<double> v) const override;
+  Expected velocity_bare(tree::Points targets, std::span<double> u,
+                         std::span<double> v) const override;
+  Expected gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                    std::span<double> vx) const override;
+  Expected stream_function(const Targets& targets, std::span<double> psi) const override;
 
   [[nodiscard]] int order() const override { return order_.most; }
   [[nodiscard]] const tree::Quadtree& tree() const override { return base_; }
   [[nodiscard]] Work work() const override;
   [[nodiscard]] std::size_t bytes() const override;
+  [[nodiscard]] BlobColumns blobs() const override;
 
  private:
   template <std::size_t sums>
@@ -60,13 +65,22 @@ class Full final : public Evaluator {
 
   void grow(const Blobs& blobs);
   void list();
+  [[nodiscard]] std::size_t size() const { return tree_.order().size(); }
   [[nodiscard]] double near_pairs() const;
   [[nodiscard]] Stage stage() const { return {tree_, lists_, leaves_}; }
   [[nodiscard]] Acceptance acceptance(bool cored) const;
   void near_cells(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const;
   void near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const;
   template <std::size_t sums>
-  void sweep(const Sums<sums>& results) const;
+  Expected sweep(const Sums<sums>& results) const;
+  [[nodiscard]] FarErrors far_errors(int derivative) const;
+  [[nodiscard]] NearErrors near_errors(std::uint32_t cell) const;
+  template <std::size_t sums>
+  [[nodiscard]] Expected expect(tree::Range slab, const Sums<sums>& all, const FarErrors& far,
+                                int derivative) const;
+  [[nodiscard]] const Charge& charge(std::uint32_t cell) const {
+    return std::visit([&](const auto& far) -> const Charge& { return far.charge(cell); }, far_);
+  }
   template <std::size_t sums>
   void add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& to) const;
   template <std::size_t sums>
@@ -75,12 +89,16 @@ class Full final : public Evaluator {
   void hand_out(tree::Range slab, const Sums<sums>& all, const Sums<sums>& results) const;
   [[nodiscard]] bool cored(const Targets& targets) const;
   [[nodiscard]] Groups group(const Targets& targets, bool cored) const;
-  void evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
-                          std::span<double> v) const;
-  void sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const;
+  Expected evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
+                              std::span<double> v) const;
+  [[nodiscard]] Lost sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const;
+  template <class Number>
+  [[nodiscard]] Lost lost_far(const FarErrors& errors, const FarField<Number>& far,
+                              std::uint32_t cell, const TargetBox& box,
+                              const Elsewhere& found) const;
   template <class Field, class Number>
-  void evaluate_field(const Field& field, const FarField<Number>& far, const Targets& targets,
-                      std::array<double*, 3> results) const;
+  Expected evaluate_field(const Field& field, const FarField<Number>& far, const FarErrors& errors,
+                          const Targets& targets, std::array<double*, 3> results) const;
   [[nodiscard]] std::uint32_t wide_cell(std::uint32_t cell, double reach2) const;
   [[nodiscard]] std::uint32_t holder(double x, double y) const;
   void find_sources(std::uint32_t cell, const TargetBox& box, const Acceptance& accepted,
@@ -93,10 +111,12 @@ class Full final : public Evaluator {
   tree::Quadtree base_;
   DeepTree tree_;
   Leaves leaves_;
-  std::vector<double> core_;  // of each cell, the largest squared core inside; empty if bare
+  std::vector<double> core_;        // of each cell, the largest squared core inside; empty if bare
+  std::vector<double> least_core_;  // and the least
   Lists lists_;
   Slabs slabs_;
   Far far_;
+  FarErrors errors_;
   bool serves_ = true;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "tree/sort.hpp"
 
@@ -121,24 +122,51 @@ void take(const Targets& targets, const Units& units, std::span<const Held> held
   batch.size = held.size();
 }
 
-void Full::sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const {
+/// What series are expected to lose at a target of a box.
+template <class Number>
+Lost Full::lost_far(const FarErrors& errors, const FarField<Number>& far, std::uint32_t cell,
+                    const TargetBox& box, const Elsewhere& found) const {
+  Lost lost;
+  if (cell != outside) lost = errors.at(cell);
+  for (const std::uint32_t c : found.series) {
+    const Frame& at = tree_.frame(c);
+    const double dx = std::max(0.0, std::abs(at.x - box.x) - box.half_x);
+    const double dy = std::max(0.0, std::abs(at.y - box.y) - box.half_y);
+    lost += errors.of_multipole(far.charge(c), at.side, dx * dx + dy * dy);
+  }
+  return lost;
+}
+
+template Lost Full::lost_far(const FarErrors&, const FarField<double>&, std::uint32_t,
+                             const TargetBox&, const Elsewhere&) const;
+template Lost Full::lost_far(const FarErrors&, const FarField<float>&, std::uint32_t,
+                             const TargetBox&, const Elsewhere&) const;
+
+/// What it is expected to lose at a target.
+Lost Full::sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const {
   Batch& batch = found.batch;
   const NearTargets at{batch.x.data(), batch.y.data(), batch.core.data(),
                        batch.u.data(), batch.v.data(), batch.size};
   const Acceptance accepted = acceptance(cored);
   const TargetBox box = around(at);
   find_sources(cell, box, accepted, found);
-  std::visit(
+  Lost lost = std::visit(
       [&](const auto& far) {
         if (cell != outside) far.l2p(stage(), cell, at);
         for (const std::uint32_t c : found.series) far.m2p(stage(), c, at);
+        return lost_far(errors_, far, cell, box, found);
       },
       far_);
   found.sources.pack(leaves_.points, leaves_.gamma, box, accepted, found.near);
-  if (!cored) return found.sources.sum<BarePair>(box, at, false);
+  if (!cored) {
+    found.sources.sum<BarePair>(box, at, false);
+    return lost;
+  }
   const bool coarse = std::holds_alternative<FarField<float>>(far_);
   with_pair(options_.cores, coarse,
             [&]<class Pair>() { found.sources.sum<Pair>(box, at, coarse); });
+  lost += found.sources.lost(accepted.reach2, 0, coarse);
+  return lost;
 }
 
 /// Targets in Morton order, then by the cell that holds them.
@@ -160,10 +188,11 @@ Full::Groups Full::group(const Targets& targets, bool cored) const {
   return groups;
 }
 
-void Full::evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
-                              std::span<double> v) const {
-  if (targets.size() == 0) return;
+Expected Full::evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
+                                  std::span<double> v) const {
+  if (targets.size() == 0) return {};
   const Groups groups = group(targets, cored);
+  std::vector<Expected> expected(groups.size());
 #pragma omp parallel
   {
     Elsewhere found;
@@ -171,15 +200,25 @@ void Full::evaluate_elsewhere(const Targets& targets, bool cored, std::span<doub
     for (std::size_t b = 0; b < groups.size(); ++b) {
       const std::span<const Held> some = groups[b];
       take(targets, units_, some, found.batch);
-      sum_batch(some[0].cell, cored, found);
+      const Lost lost = sum_batch(some[0].cell, cored, found);
+      const auto square = [&](const std::vector<double>& sums) {
+        return sum_of_squares(std::span(sums).first(some.size()));
+      };
+      expected[b] = {square(found.batch.u) + square(found.batch.v),
+                     static_cast<double>(some.size()) * lost};
       for (std::size_t i = 0; i < some.size(); ++i) {
         u[some[i].index] = found.batch.u[i];
         v[some[i].index] = found.batch.v[i];
       }
     }
   }
+  const Expected all = total(expected);
+  units_.check_range(all.found, targets.size(), 0);
   units_.to_velocity(u);
   units_.to_velocity(v);
+  units_.finish_far(std::accumulate(leaves_.gamma.begin(), leaves_.gamma.end(), 0.0), targets.x,
+                    targets.y, u, v);
+  return all;
 }
 
 bool Full::cored(const Targets& targets) const {
@@ -188,12 +227,12 @@ bool Full::cored(const Targets& targets) const {
           std::ranges::any_of(targets.sigma, [](double sigma) { return sigma > 0.0; }));
 }
 
-void Full::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
-  evaluate_elsewhere(targets, cored(targets), u, v);
+Expected Full::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
+  return evaluate_elsewhere(targets, cored(targets), u, v);
 }
 
-void Full::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {
-  evaluate_elsewhere({targets.x, targets.y, {}}, false, u, v);
+Expected Full::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {
+  return evaluate_elsewhere({targets.x, targets.y, {}}, false, u, v);
 }
 
 }  // namespace vortree::fmm

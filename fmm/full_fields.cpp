@@ -23,14 +23,16 @@ std::uint32_t Full::wide_cell(std::uint32_t cell, double reach2) const {
 /// The local expansion of a cell that holds a group, series of cells near it, and sources one by
 /// one: as velocities elsewhere (full_elsewhere.cpp), but in doubles throughout.
 template <class Field, class Number>
-void Full::evaluate_field(const Field& field, const FarField<Number>& far, const Targets& targets,
-                          std::array<double*, 3> results) const {
+Expected Full::evaluate_field(const Field& field, const FarField<Number>& far,
+                              const FarErrors& errors, const Targets& targets,
+                              std::array<double*, 3> results) const {
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], targets.size(), 0.0);
-  if (targets.size() == 0 || tree_.cells().empty()) return;
+  if (targets.size() == 0 || tree_.cells().empty()) return {};
   const bool with_cores = cored(targets);
   Acceptance accepted = acceptance(with_cores);
   if (with_cores) accepted.reach2 = Field::reach2(options_.tolerance);
   const Groups groups = group(targets, with_cores);
+  std::vector<Expected> expected(groups.size());
 #pragma omp parallel
   {
     Elsewhere found;
@@ -58,15 +60,20 @@ void Full::evaluate_field(const Field& field, const FarField<Number>& far, const
       found.sources.sum(field, CoreShares(options_.cores), at);
       for (std::size_t s = 0; s < Field::count; ++s) {
         for (std::size_t i = 0; i < some.size(); ++i) results[s][some[i].index] = sums[s][i];
+        expected[b].found += sum_of_squares(std::span(sums[s]).first(some.size()));
       }
+      Lost lost = lost_far(errors, far, cell, box, found);
+      if (with_cores) lost += found.sources.lost(accepted.reach2, Field::derivative, false);
+      expected[b].lost = static_cast<double>(some.size()) * lost;
     }
   }
+  return total(expected);
 }
 
 /// The derivative of a series of p terms lacks (p + 1)/(1 - ratio) times as much, so it has series
 /// of its own, with a few more terms.
-void Full::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
-                    std::span<double> vx) const {
+Expected Full::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                        std::span<double> vx) const {
   const LatticeOrder order =
       options_.order > 0 ? order_
                          : LatticeOrder::for_tolerance(options_.tolerance / (2 * order_.most));
@@ -74,20 +81,27 @@ void Full::gradient(const Targets& targets, std::span<double> ux, std::span<doub
   FarField<double> far(stage(), TranslationTables<double>(order.most, order.terms));
   far.descend(stage());
   if (phase_) phase_("near");
-  evaluate_field(Gradient{}, far, targets, {uy.data(), ux.data(), vx.data()});
+  const FarErrors errors(stage(), far, order, 1);
+  const Expected expected =
+      evaluate_field(Gradient{}, far, errors, targets, {uy.data(), ux.data(), vx.data()});
+  units_.check_range(expected.found, ux.size(), 1);
   finish_gradient(units_, ux, uy, vx);
+  return expected;
 }
 
-void Full::stream_function(const Targets& targets, std::span<double> psi) const {
+Expected Full::stream_function(const Targets& targets, std::span<double> psi) const {
   if (phase_) phase_("near");
-  std::visit(
+  Expected expected = std::visit(
       [&](const auto& far) {
         const std::vector<double> centres = stream_centres(stage(), far);
-        evaluate_field(StreamFunction{log_unit(units_), centres}, far, targets, {psi.data()});
+        return evaluate_field(StreamFunction{log_unit(units_), centres}, far, far_errors(-1),
+                              targets, {psi.data()});
       },
       far_);
   const double all = std::accumulate(leaves_.gamma.begin(), leaves_.gamma.end(), 0.0);
-  finish_stream_function(units_, all, targets, psi);
+  expected.found = finish_stream_function(units_, all, targets, psi);
+  units_.check_range(expected.found, psi.size(), -1);
+  return expected;
 }
 
 }  // namespace vortree::fmm

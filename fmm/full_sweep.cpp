@@ -116,6 +116,57 @@ void Full::add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& 
   }
 }
 
+/// What the points of a cell meet one by one.
+NearErrors Full::near_errors(std::uint32_t cell) const {
+  NearErrors near{.own = charge(cell).squares,
+                  .side2 = tree_.frame(cell).side * tree_.frame(cell).side,
+                  .points = static_cast<double>(tree_.cells()[cell].points.size())};
+  const bool cored = leaves_.cored();
+  if (cored) near.own_core = least_core_[cell], near.least_core = Units::largest_core;
+  const auto add = [&](std::uint32_t c) {
+    near.squares += charge(c).squares;
+    if (!cored) return;
+    near.least_core = std::min(near.least_core, least_core_[c]);
+    near.widest_core = std::max(near.widest_core, core_[c]);
+  };
+  for (const std::int32_t c : lists_.neighbors(cell)) {
+    if (c != nobody) add(static_cast<std::uint32_t>(c));
+  }
+  for (auto c = static_cast<std::int32_t>(cell); cored && c != nobody;
+       c = tree_.cells()[c].parent) {
+    for (const std::uint32_t q : lists_.refused(static_cast<std::uint32_t>(c))) add(q);
+  }
+  return near;
+}
+
+/// What was found in a slab, and lost: of the velocity (derivative 0) or of the slopes (1).
+template <std::size_t sums>
+Expected Full::expect(tree::Range slab, const Sums<sums>& all, const FarErrors& far,
+                      int derivative) const {
+  const bool single = coarse(options_);
+  const double reach2 = core_reach2(options_.tolerance);
+  const std::size_t from = derivative == 0 ? 0 : velocity_sums;
+  const std::size_t to = derivative == 0 ? velocity_sums : sums;
+  Expected expected;
+  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+    const std::uint32_t cell = tree_.childless()[leaf];
+    const std::size_t first = leaves_.start[leaf], size = leaves_.size[leaf];
+    for (std::size_t s = from; s < to; ++s) {
+      expected.found += sum_of_squares({all[s] + first, size});
+    }
+    const NearErrors near = near_errors(cell);
+    Lost lost = far.at(cell);
+    for (const std::uint32_t c : lists_.w(leaf)) {
+      const double side = tree_.frame(c).side;
+      lost += far.of_multipole(charge(c), side, FarErrors::side_away2 * side * side);
+    }
+    lost += near.faded(reach2, derivative);
+    if (single) lost += near.rounding(derivative);
+    expected.lost += static_cast<double>(size) * lost;
+  }
+  return expected;
+}
+
 /// From the sums of a slab to what was asked for.
 template <std::size_t sums>
 void Full::hand_out(tree::Range slab, const Sums<sums>& all, const Sums<sums>& results) const {
@@ -135,8 +186,10 @@ void Full::hand_out(tree::Range slab, const Sums<sums>& all, const Sums<sums>& r
 }
 
 template <std::size_t sums>
-void Full::sweep(const Sums<sums>& results) const {
+Expected Full::sweep(const Sums<sums>& results) const {
   if (phase_) phase_("near");
+  const FarErrors slopes = sums == slope_sums ? far_errors(1) : FarErrors();
+  std::vector<Expected> expected(slabs_.size()), expected_slopes(slabs_.size());
   std::array<Reals, sums> memory;
   Sums<sums> all;
   for (std::size_t s = 0; s < sums; ++s) {
@@ -156,18 +209,26 @@ void Full::sweep(const Sums<sums>& results) const {
       for (double* sum : all) std::fill_n(sum + places.first, places.size(), 0.0);
       add_near(slab, scratch, all);
       add_far(slab, all);
+      expected[s] = expect(slab, all, errors_, 0);
+      if (sums == slope_sums) expected_slopes[s] = expect(slab, all, slopes, 1);
       hand_out(slab, all, results);
     }
   }
+  const Expected velocity = total(expected);
+  Expected slope = total(expected_slopes);
+  units_.check_range(velocity.found, size(), 0);
+  units_.check_range(slope.found, size(), 1);
+  slope.lost = 1 / (slope_tolerance * slope_tolerance) * slope.lost;
+  return worse(velocity, slope);
 }
 
-void Full::velocity(std::span<double> u, std::span<double> v) const {
-  sweep<velocity_sums>({u.data(), v.data()});
+Expected Full::velocity(std::span<double> u, std::span<double> v) const {
+  return sweep<velocity_sums>({u.data(), v.data()});
 }
 
-void Full::velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
-                                 std::span<double> uy, std::span<double> vx) const {
-  sweep<slope_sums>({u.data(), v.data(), uy.data(), ux.data(), vx.data()});
+Expected Full::velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
+                                     std::span<double> uy, std::span<double> vx) const {
+  return sweep<slope_sums>({u.data(), v.data(), uy.data(), ux.data(), vx.data()});
 }
 
 }  // namespace vortree::fmm

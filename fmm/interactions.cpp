@@ -26,7 +26,7 @@ class Open {
 struct Meeting {
   bool hidden;     // no core shows
   bool converges;  // the series does, at squared_ratio
-  double squared_ratio;
+  double squared_ratio, per_distance2;
 };
 
 Meeting meet(const CellShapes& shapes, std::size_t cell, const TargetBox& target,
@@ -37,9 +37,11 @@ Meeting meet(const CellShapes& shapes, std::size_t cell, const TargetBox& target
   const double gap_y = std::max(0.0, dy - shapes.half_y[cell]);
   const double gap2 = gap_x * gap_x + gap_y * gap_y, distance2 = dx * dx + dy * dy;
   const double radius2 = shapes.radius[cell] * shapes.radius[cell];
+  const double per_distance2 = 1.0 / distance2;
   return {.hidden = gap2 >= acceptance.squared_reach(shapes.core[cell], target.core),
           .converges = radius2 < acceptance.order.squared_ratio() * distance2,
-          .squared_ratio = radius2 / distance2};
+          .squared_ratio = radius2 * per_distance2,
+          .per_distance2 = per_distance2};
 }
 
 void open_children(const tree::Cell& cell, Open& open) {
@@ -53,7 +55,7 @@ void look(const tree::Quadtree& tree, const CellShapes& shapes, const TargetBox&
   if (meeting.hidden && meeting.converges) {
     const int terms = acceptance.order.terms(meeting.squared_ratio);
     if (cell.points.size() > equally_dear(terms)) {
-      found.series.push_back({c, terms});
+      found.series.push_back({c, terms, meeting.per_distance2});
     } else {
       found.bare.push_back(cell.points);
     }
@@ -80,7 +82,7 @@ void find_shared(const tree::Quadtree& tree, const CellShapes& shapes, const Tar
     const bool series = meeting.hidden && meeting.converges;
     const int terms = series ? acceptance.order.terms(meeting.squared_ratio) : 0;
     if (series && cell.points.size() > equally_dear(terms)) {
-      found.series.push_back({c, terms});
+      found.series.push_back({c, terms, meeting.per_distance2});
     } else if (series || cell.childless() || shapes.radius[c] <= size) {
       found.waiting.push_back(c);
     } else {

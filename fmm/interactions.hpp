@@ -17,6 +17,7 @@ namespace vortree::fmm {
 struct SeriesCell {
   std::uint32_t cell;
   int terms;
+  double per_distance2;  // one over the squared distance of its centre to the targets' box
 };
 
 /// What a block of neighbouring target leaves meets as one: every source is in a series cell or in
@@ -65,11 +66,13 @@ struct TargetBox {
 /// When two cells may meet.
 ///
 /// order    the ratio (cell radius)/(distance from its centre to the box) up to which it converges
+/// lost2    the square of the tolerance that the order was chosen by; 0: by none
 /// reach2   a core S shows up to a gap of sqrt(reach2 S) between two boxes; 0: cores are ignored
 struct Acceptance {
   Order order;
   double reach2 = 0;
   Cores cores = Cores::source;
+  double lost2 = 0;
 
   [[nodiscard]] double squared_reach(double source_core, double target_core) const {
     return reach2 * (cores == Cores::source ? source_core : 0.5 * (source_core + target_core));

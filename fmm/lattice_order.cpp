@@ -8,7 +8,7 @@
 namespace vortree::fmm {
 namespace {
 
-constexpr int most_known = 72;  // beyond, doubles have no digits left
+constexpr int most_known = LatticeOrder::most_known;
 constexpr double levels = 8, rings = 20 * std::numbers::pi;
 
 /// Places of V at each orbit's distance: the mean over the four children, orbit by orbit.
@@ -36,18 +36,14 @@ Losses compute_losses() {
     place[i] = 0.5 * std::cos(angle);
     weight[i] = std::numbers::pi / (2 * n) * std::sin(angle);
   }
-  std::array<double, most_known> inside{};
   std::array<std::array<double, most_known>, orbit_count> outside{};
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
       const double area = weight[i] * weight[j];
-      double power = area;
-      const double t2 = place[i] * place[i] + place[j] * place[j];
-      for (int k = 0; k < most_known; ++k, power *= t2) inside[k] += power;
       for (int o = 0; o < orbit_count; ++o) {
         const double x = orbits[o].x + place[i], y = orbits[o].y + place[j];
         const double inverse = 1 / (x * x + y * y);
-        power = area * inverse;
+        double power = area * inverse;
         for (int k = 0; k < most_known; ++k, power *= inverse) outside[o][k] += power;
       }
     }
@@ -55,7 +51,8 @@ Losses compute_losses() {
   Losses losses{};
   for (int o = 0; o < orbit_count; ++o) {
     for (int k = most_known - 1; k >= 0; --k) {
-      losses[o][k] = losses[o][k + 1] + 2 * inside[k] * outside[o][k] * counts[o] * levels / rings;
+      losses[o][k] =
+          losses[o][k + 1] + 2 * mean_power(k) * outside[o][k] * counts[o] * levels / rings;
     }
   }
   return losses;
@@ -84,6 +81,16 @@ LatticeOrder LatticeOrder::for_tolerance(double tolerance) {
     order.most = std::max(order.most, terms);
   }
   return order;
+}
+
+/// By the binomial of (x^2 + y^2)^k, <x^(2m)> = 4^-m/(2m + 1).
+double mean_power(int k) {
+  double sum = 0.0, binomial = std::pow(0.25, k);
+  for (int m = 0; m <= k; ++m) {
+    sum += binomial / ((2 * m + 1.0) * (2 * (k - m) + 1.0));
+    binomial *= (k - m) / (m + 1.0);
+  }
+  return sum;
 }
 
 double expected_error(const LatticeOrder& order) {

@@ -8,6 +8,9 @@ namespace vortree::fmm {
 
 /// Terms of both series for each orbit of M2L, and the most of them.
 struct LatticeOrder {
+  /// Beyond, doubles have no digits left.
+  static constexpr int most_known = 72;
+
   int most = 0;
   std::array<int, orbit_count> terms{};
 
@@ -34,5 +37,8 @@ struct LatticeOrder {
 ///
 /// It foretells uniform clouds within a tenth (tests/fmm/orders.cpp).
 [[nodiscard]] double expected_error(const LatticeOrder& order);
+
+/// <|t|^(2k)>, the average over a cell of side 1.
+[[nodiscard]] double mean_power(int k);
 
 }  // namespace vortree::fmm

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "fmm/cells.hpp"
+#include "fmm/charge.hpp"
 #include "tree/quadtree.hpp"
 
 namespace vortree::fmm {
@@ -31,18 +33,23 @@ class Multipoles {
   [[nodiscard]] const float* single(std::size_t cell) const {
     return singles_.data() + 2 * cell * static_cast<std::size_t>(order_);
   }
+  [[nodiscard]] const Charge& charge(std::size_t cell) const { return charges_[cell]; }
   [[nodiscard]] std::size_t bytes() const {
-    return terms_.capacity() * sizeof(double) + singles_.capacity() * sizeof(float);
+    return terms_.capacity() * sizeof(double) + singles_.capacity() * sizeof(float) +
+           charges_.capacity() * sizeof(Charge);
   }
 
  private:
   void add_points(const CellShapes& shapes, const SortedPoints& points,
                   std::span<const double> gamma, tree::Range range, std::size_t cell);
+  void set_charge(std::span<const tree::Cell> cells, std::span<const double> gamma,
+                  std::size_t cell, std::span<const double> weights);
   void add_children(const CellShapes& shapes, tree::Range children, std::size_t cell);
 
   int order_ = 0;
   Reals terms_;
   Unwritten<float> singles_;
+  std::vector<Charge> charges_;
 };
 
 /// The length a cell's series is scaled by: its radius, or where that is nothing, next to nothing.

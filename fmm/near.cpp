@@ -34,7 +34,7 @@ void NearSources::part(const SortedPoints& points, std::span<const double> gamma
   const TargetBox box = leaf;
   Packed::Writer hidden(hidden_), cored(cored_);
   Lanes most = fill(std::max(box.half_x, box.half_y)), least = fill(Units::largest_core);
-  Lanes widest = fill(box.core);
+  Lanes widest = fill(box.core), squares{};
   for (const tree::Range run : runs) {
     for (std::uint32_t j = run.first; j < run.last; j += lane_count) {
       const LaneSet some = first_lanes(run.last - j);
@@ -47,6 +47,7 @@ void NearSources::part(const SortedPoints& points, std::span<const double> gamma
       const LaneSet far = some & where(dx * dx + dy * dy >= core * reach2 + others);
       hidden.add(x, y, strength, far);
       cored.add(x, y, strength, core, some & ~far);
+      squares += strength * strength;
       most = larger(larger(from_x, from_y), most);
       least = smaller(core, least), widest = larger(core, widest);
     }
@@ -54,6 +55,7 @@ void NearSources::part(const SortedPoints& points, std::span<const double> gamma
   hidden.finish(hidden_);
   cored.finish(cored_);
   size_ = largest(most), least_core_ = -largest(-least), widest_core_ = largest(widest);
+  squares_ = vortree::sum(squares);
 }
 
 }  // namespace vortree::fmm

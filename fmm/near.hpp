@@ -5,6 +5,7 @@
 #include "fmm/cells.hpp"
 #include "fmm/field.hpp"
 #include "fmm/interactions.hpp"
+#include "fmm/near_errors.hpp"
 #include "fmm/p2p_kernel.hpp"
 #include "fmm/p2p_single_kernel.hpp"
 #include "fmm/packed.hpp"
@@ -49,6 +50,20 @@ class NearSources {
     field.add_cored(cored_, shares, targets);
   }
 
+  /// What the sum of all of them is expected to lose at a target.
+  [[nodiscard]] Lost lost(double reach2, int derivative, bool coarse) const {
+    const NearErrors near{.own = squares_,
+                          .squares = squares_,
+                          .side2 = size_ * size_,
+                          .own_core = least_core_,
+                          .least_core = least_core_,
+                          .widest_core = widest_core_};
+    if (squares_ == 0.0 || size_ == 0.0) return {};
+    Lost lost = near.faded(reach2, derivative);
+    if (coarse && fits_single()) lost += near.rounding(derivative);
+    return lost;
+  }
+
  private:
   void part(const SortedPoints& points, std::span<const double> gamma, const TargetBox& leaf,
             const Acceptance& acceptance, std::span<const tree::Range> runs);
@@ -70,6 +85,7 @@ class NearSources {
   SinglePacked single_;
   double size_ = 0.0;  // no parted source or target is farther from the middle, in x or in y
   double least_core_ = 0.0, widest_core_ = 0.0;
+  double squares_ = 0.0;  // sum gamma^2 of the parted
 };
 
 /// `use<Pair>()` with what sums pairs with cores.

@@ -37,6 +37,10 @@ struct Options {
 /// Told the name of a part of the work as it begins, for whoever keeps the time.
 using Phase = std::function<void(std::string_view)>;
 
+/// Sums of doubles are as exact as so much of the norm of all sums of |contributions|: some
+/// roundings, of 2^-53 each, of each of them.
+inline constexpr double round_off = 0x1p-49;
+
 /// Nothing is gained by asking for less.
 inline constexpr double least_tolerance = 1e-16;
 

@@ -1,5 +1,7 @@
 #include "fmm/plan.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -26,26 +28,71 @@ void check(const Options& options) {
   }
 }
 
+/// Promises are kept with so much in hand for what is expected (Expected).
+constexpr double in_hand = 1.5;
+constexpr int most_rounds = 4;
+constexpr double doubles_from = 5e-7;  // tolerances below coarse()
+
+/// The tolerance to sum with in place of options.tolerance, so that `asked` is kept.
+double finer_tolerance(const Options& options, double asked, const Expected& expected) {
+  const double allowed = std::pow(asked / in_hand, 2) * expected.found;
+  double finer = options.tolerance;
+  if (expected.lost.all() <= allowed) return finer;
+  if (2 * expected.lost.series > allowed) {
+    finer *= std::sqrt(allowed / (4 * expected.lost.series));
+  }
+  if (2 * expected.lost.rounding > allowed && coarse(options)) {
+    finer = std::min(finer, doubles_from);
+  }
+  return std::max(finer, least_tolerance);
+}
+
+void refuse_unfit(const std::string& complaint) {
+  if (!complaint.empty()) throw std::invalid_argument(complaint);
+}
+
+/// method   what was asked for; overwritten by what is taken
+std::unique_ptr<const Evaluator> make_sums(const Blobs& blobs, const Units& units,
+                                           const Options& options, const Phase& phase,
+                                           Method& method) {
+  if (method == Method::fmm) {
+    auto full = std::make_unique<Full>(blobs, units, options, phase);
+    if (full->serves()) return full;
+    method = Method::boxes;
+  }
+  return std::make_unique<Boxes>(blobs, units, options, phase);
+}
+
 }  // namespace
 
 Plan::Plan(const Blobs& blobs, const Options& options, const Phase& phase)
-    : size_(blobs.size()), method_(options.method) {
+    : size_(blobs.size()), options_(options), phase_(phase), method_(options.method) {
   check(options);
-  check(blobs);
-  if (method_ == Method::fmm) {
-    auto full = std::make_unique<Full>(blobs, options, phase);
-    if (full->serves()) {
-      sums_ = std::move(full);
-      return;
-    }
-    method_ = Method::boxes;
+  units_ = check(blobs);
+  cores_unfit_ = {complain_of_cores(blobs.sigma, units_, false),
+                  complain_of_cores(blobs.sigma, units_, true)};
+  sums_ = make_sums(blobs, units_, options, phase, method_);
+}
+
+/// Sums, and where that cancels so far that the tolerance is not kept, sums again with more terms
+/// and digits.
+template <class Sum>
+void Plan::settle(Sum sum) const {
+  Expected expected = sum(*sums_);
+  Options options = options_;
+  for (int round = 0; options.order == 0 && round < most_rounds; ++round) {
+    const double finer = finer_tolerance(options, options_.tolerance, expected);
+    if (!(finer < options.tolerance)) break;
+    options.tolerance = finer;
+    const BlobColumns blobs = sums_->blobs();
+    Method method = options_.method;
+    expected = sum(*make_sums(blobs.view(), Units::of(blobs.view()), options, phase_, method));
   }
-  sums_ = std::make_unique<Boxes>(blobs, options, phase);
 }
 
 void Plan::velocity(std::span<double> u, std::span<double> v) const {
   check_result(size(), u, v);
-  sums_->velocity(u, v);
+  settle([&](const Evaluator& sums) { return sums.velocity(u, v); });
 }
 
 void Plan::velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
@@ -54,19 +101,20 @@ void Plan::velocity_and_gradient(std::span<double> u, std::span<double> v, std::
   check_result(size(), "ux", ux);
   check_result(size(), "uy", uy);
   check_result(size(), "vx", vx);
-  sums_->velocity_and_gradient(u, v, ux, uy, vx);
+  refuse_unfit(cores_unfit_[0]);
+  settle([&](const Evaluator& sums) { return sums.velocity_and_gradient(u, v, ux, uy, vx); });
 }
 
 void Plan::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
   fmm::check(targets);
   check_result(targets.size(), u, v);
-  sums_->velocity(targets, u, v);
+  settle([&](const Evaluator& sums) { return sums.velocity(targets, u, v); });
 }
 
 void Plan::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {
   fmm::check(Targets{targets.x, targets.y, {}});
   check_result(targets.size(), u, v);
-  sums_->velocity_bare(targets, u, v);
+  settle([&](const Evaluator& sums) { return sums.velocity_bare(targets, u, v); });
 }
 
 void Plan::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
@@ -75,13 +123,17 @@ void Plan::gradient(const Targets& targets, std::span<double> ux, std::span<doub
   check_result(targets.size(), "ux", ux);
   check_result(targets.size(), "uy", uy);
   check_result(targets.size(), "vx", vx);
-  sums_->gradient(targets, ux, uy, vx);
+  refuse_unfit(cores_unfit_[0]);
+  refuse_unfit(complain_of_cores(targets.sigma, units_, false));
+  settle([&](const Evaluator& sums) { return sums.gradient(targets, ux, uy, vx); });
 }
 
 void Plan::stream_function(const Targets& targets, std::span<double> psi) const {
   fmm::check(targets);
   check_result(targets.size(), "psi", psi);
-  sums_->stream_function(targets, psi);
+  refuse_unfit(cores_unfit_[1]);
+  refuse_unfit(complain_of_cores(targets.sigma, units_, true));
+  settle([&](const Evaluator& sums) { return sums.stream_function(targets, psi); });
 }
 
 }  // namespace vortree::fmm

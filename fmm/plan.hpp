@@ -1,13 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "fmm/blobs.hpp"
 #include "fmm/evaluator.hpp"
 #include "fmm/options.hpp"
+#include "fmm/units.hpp"
 #include "tree/quadtree.hpp"
 
 namespace vortree::fmm {
@@ -19,8 +22,12 @@ namespace vortree::fmm {
 ///
 /// with S as Options::cores says; S = 0 is the bare vortex 1/r^2, r = 0 contributes nothing.
 ///
-/// error    ||u - u_exact||_2 <= tolerance ||u_exact||_2, and 99 % of the targets within
-///          tolerance * sum_j |contribution of j|                  (tests/fmm/tolerance_sweep.cpp)
+/// error    ||u - u_exact||_2 <= max(tolerance ||u_exact||_2, round_off ||sum_j |u_ij| ||_2), and
+///          99 % of the targets within tolerance * sum_j |u_ij|    (tests/fmm/tolerance_sweep.cpp)
+///          Where sums cancel, what is lost is no longer small beside what is left. Every sum adds
+///          up what it is expected to lose (Expected); if that is more than is promised, it is
+///          done again with more terms, in doubles, at the price of a new plan of the same blobs
+///          (tests/fmm/cancelling.cpp). round_off is what doubles cannot do better.
 ///          Cells meet by series only where no core shows any more: gap >= sqrt(S ln(1/(4
 ///          tolerance))).
 /// method   Method::fmm in O(n). Where wide cores lie among narrow ones, so that most cells would
@@ -34,7 +41,8 @@ class Plan {
   /// phase   told "tree", "upward", and with Method::fmm "far"; then "near" (fmm) or "evaluate"
   ///         (boxes) as each sum begins
   /// cost    the blobs are copied
-  /// throws  std::invalid_argument for blobs as check() does, and for options out of range
+  /// throws  std::invalid_argument for blobs as check() does, and for options out of range; every
+  ///         sum also for results that over- or underflow in the units of the input
   Plan(const Blobs& blobs, const Options& options, const Phase& phase = {});
 
   /// At the blobs themselves.
@@ -43,8 +51,9 @@ class Plan {
 
   /// At the blobs themselves, velocity and gradient() in one sweep.
   ///
-  /// error   ||u|| as velocity(u, v); the gradient's ||.||_2 <= 10 tolerance (tests/fmm/together.cpp)
-  /// cost    of blobs with cores by Method::fmm 1.6 times velocity(u, v); else as both, in turn
+  /// error   ||u|| as velocity(u, v); the gradient's ||.||_2 <= 10 tolerance
+  /// (tests/fmm/together.cpp) cost    of blobs with cores by Method::fmm 1.6 times velocity(u, v);
+  /// else as both, in turn
   void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
                              std::span<double> uy, std::span<double> vx) const;
 
@@ -60,6 +69,7 @@ class Plan {
   ///   (dv/dx + du/dy)/2 = sum_j g_j b (dy^2 - dx^2)/r^2   b = (1 - (1 + q) exp(-q))/r^2
   ///   (dv/dx - du/dy)/2 = sum_j g_j exp(-q)/S             half the vorticity
   ///
+  /// throws       std::invalid_argument for cores narrower than 6e-67 extents of the blobs
   /// ux, uy, vx   du/dx, du/dy, dv/dx, as many as targets [1/s]; overwritten
   /// targets      may be the blobs; r = 0 contributes the rotation of the core, nothing if bare
   /// error        ||.||_2 of all four as for the velocity        (tests/fmm/derivatives.cpp)
@@ -77,7 +87,7 @@ class Plan {
   ///           of the positions
   /// targets   may be the blobs; bare blobs contribute nothing at r = 0
   /// error     ||.||_2 as for the velocity                       (tests/fmm/derivatives.cpp)
-  ///           cores wider than 1e60 extents of the blobs count as that wide
+  /// throws    std::invalid_argument for cores narrower than 6e-67 or wider than 1e60 extents
   /// cost      as gradient()
   void stream_function(const Targets& targets, std::span<double> psi) const;
 
@@ -93,7 +103,14 @@ class Plan {
   [[nodiscard]] std::size_t bytes() const { return sums_->bytes(); }
 
  private:
+  template <class Sum>
+  void settle(Sum sum) const;
+
   std::size_t size_;
+  Units units_;
+  std::array<std::string, 2> cores_unfit_;  // for a gradient, for a stream function
+  Options options_;
+  Phase phase_;
   Method method_;
   std::unique_ptr<const Evaluator> sums_;
 };

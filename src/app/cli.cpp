@@ -294,12 +294,18 @@ int arrived() {
                   failed);
 }
 
+int print_velocity(const VelocityJob& job) {
+  const VelocityReport report = velocity(job);
+  tell("{}\n", report.json.line());
+  return report.missed ? complain(*report.missed, failed) : arrived();
+}
+
 int carry_out(const CLI::App& program, const Words& words) {
   if (words.threads > 0) omp_set_num_threads(words.threads);
   if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
   if (program.got_subcommand("cases")) tell("{}", list_cases());
   if (program.got_subcommand("check")) tell("{}", check(words.scene, words.overrides));
-  if (program.got_subcommand("velocity")) tell("{}\n", velocity(words.velocity).line());
+  if (program.got_subcommand("velocity")) return print_velocity(words.velocity);
   if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors).line());
   if (program.got_subcommand("bench")) {  // results in files
     if (words.benched == "trees") bench_trees(words.bench);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,15 +22,22 @@ struct VelocityJob {
   int repeat = 1;
 };
 
+/// missed   if asked to verify: why the tolerance was not kept, as one line
+struct VelocityReport {
+  io::Json json;
+  std::optional<std::string> missed;
+};
+
 /// Velocities upon all vortices of a particle file, or upon the points of another: reads, sums
 /// `repeat` times, writes `u` and `v`.
 ///
-/// returns  what was done, for standard output: n, method, builder, threads, tolerance, order,
-/// pairs, peak_bytes, seconds
+/// returns  json: what was done, for standard output: n, method, builder, threads, tolerance,
+/// order, pairs, peak_bytes, seconds
 ///          {tree, upward, far, near, total: medians of all repetitions; io} and, if asked to
-///          verify, error {relative_l2, p99, max, targets}. What a method does not have is null.
+///          verify, error {relative_l2, p99, max, targets, condition}. What a method does not have
+///          is null.
 /// throws   io::InputError for wrong files, std::invalid_argument for options that fmm::Plan
 /// refuses
-io::Json velocity(const VelocityJob& job);
+VelocityReport velocity(const VelocityJob& job);
 
 }  // namespace vortree::app

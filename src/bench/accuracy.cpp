@@ -7,6 +7,7 @@
 #include <random>
 
 #include "bench/exact_kernel.hpp"
+#include "fmm/units.hpp"
 
 namespace vortree::bench {
 namespace {
@@ -14,16 +15,24 @@ namespace {
 // Past this an exponential is below the last bit of a long double.
 constexpr double core_fades = 50.0;
 
-// Eight sources after eight; the last ones are filled up with some of no strength.
+// A target so many extents away sees lengths whose squares doubles cannot hold.
+constexpr double far_away = 1e70;
+
+// Eight sources after eight, in fmm::Units; the last ones are filled up with some of no strength.
 struct Packed {
-  std::vector<double> x, y, gamma;
+  fmm::Units units;
+  std::vector<double> x, y, gamma, sigma;
   double largest_core = 0.0;  // squared
 
-  explicit Packed(const fmm::Blobs& blobs)
-      : x(blobs.x.begin(), blobs.x.end()),
-        y(blobs.y.begin(), blobs.y.end()),
-        gamma(blobs.gamma.begin(), blobs.gamma.end()) {
-    for (const double sigma : blobs.sigma) largest_core = std::max(largest_core, sigma * sigma);
+  explicit Packed(const fmm::Blobs& blobs) : units(fmm::Units::of(blobs)) {
+    const auto scaled = [](std::span<const double> values, double factor) {
+      std::vector<double> all(values.size());
+      std::ranges::transform(values, all.begin(), [=](double value) { return value * factor; });
+      return all;
+    };
+    x = scaled(blobs.x, units.per_length), y = scaled(blobs.y, units.per_length);
+    gamma = scaled(blobs.gamma, units.per_gamma), sigma = scaled(blobs.sigma, units.per_length);
+    for (const double s : sigma) largest_core = std::max(largest_core, s * s);
     const std::size_t room = padded(blobs.size());
     for (auto* column : {&x, &y, &gamma}) column->resize(room, 0.0);
   }
@@ -44,9 +53,30 @@ Twice with_cores(const Twice& weight, const Twice& r2, const double* sigma, std:
 }
 
 struct Sum {
-  long double u, v;
-  double contributions;
+  long double u, v, contributions;
+
+  // From Units, without the factor 1/(2 pi), to the user's; long doubles hold all of it.
+  [[nodiscard]] Sum finished(const fmm::Units& units) const {
+    const long double scale = units.per_length / (2 * std::numbers::pi_v<long double>) /
+                              static_cast<long double>(units.per_gamma);
+    return {u * scale, v * scale, contributions * scale};
+  }
 };
+
+// What is far away sees the pairs' differences by long doubles, whose squares do not overflow.
+Sum sum_from_afar(const Packed& sources, std::size_t n, long double x, long double y) {
+  Sum sum{};
+  for (std::size_t j = 0; j < n; ++j) {
+    const long double dx = x - sources.x[j], dy = y - sources.y[j], r2 = dx * dx + dy * dy;
+    long double weight = sources.gamma[j] / r2;
+    if (!sources.sigma.empty() && sources.sigma[j] > 0.0) {
+      weight *= -std::expm1(-r2 / sources.sigma[j] / sources.sigma[j]);
+    }
+    sum.u -= weight * dy, sum.v += weight * dx;
+    sum.contributions += std::abs(weight) * std::sqrt(r2);
+  }
+  return sum;
+}
 
 long double total(const Twice& lanes) {
   long double sum = 0;
@@ -55,7 +85,8 @@ long double total(const Twice& lanes) {
   return sum;
 }
 
-Sum sum_directly(const Packed& sources, std::span<const double> sigma, double x, double y) {
+Sum sum_directly(const Packed& sources, double x, double y) {
+  const std::span<const double> sigma = sources.sigma;
   Twice u{}, v{};
   Lanes contributions{};
   for (std::size_t j = 0; j < sources.x.size(); j += lane_count) {
@@ -75,8 +106,7 @@ Sum sum_directly(const Packed& sources, std::span<const double> sigma, double x,
     for (int i = 0; i < lane_count; ++i) distance[i] = std::sqrt(r2.high[i]);
     contributions += magnitude(weight.high) * distance;
   }
-  const long double scale = 1 / (2 * std::numbers::pi_v<long double>);
-  return {-total(u) * scale, total(v) * scale, sum(contributions) * static_cast<double>(scale)};
+  return {-total(u), total(v), sum(contributions)};
 }
 
 std::vector<std::size_t> random_sample(std::size_t n, std::size_t size) {
@@ -100,7 +130,12 @@ Exact exact_velocity(const fmm::Blobs& sources, const fmm::Targets& targets, std
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t i = exact.targets[k];
-    const Sum sum = sum_directly(packed, sources.sigma, targets.x[i], targets.y[i]);
+    const long double unit = packed.units.per_length;
+    const long double x = targets.x[i] * unit, y = targets.y[i] * unit;
+    const bool far = std::max(std::abs(x), std::abs(y)) > far_away;
+    const Sum sum = (far ? sum_from_afar(packed, sources.size(), x, y)
+                         : sum_directly(packed, static_cast<double>(x), static_cast<double>(y)))
+                        .finished(packed.units);
     exact.u[k] = sum.u;
     exact.v[k] = sum.v;
     exact.contributions[k] = sum.contributions;
@@ -112,19 +147,20 @@ VelocityError velocity_error(const Exact& exact, std::span<const double> u,
                              std::span<const double> v) {
   VelocityError error{.targets = exact.targets.size()};
   if (error.targets == 0) return error;
-  long double missed = 0, whole = 0;
+  long double missed = 0, whole = 0, contributions = 0;
   std::vector<double> pointwise;
   for (std::size_t k = 0; k < error.targets; ++k) {
     const std::size_t i = exact.targets[k];
     const long double du = u[i] - exact.u[k], dv = v[i] - exact.v[k];
     const long double difference2 = du * du + dv * dv;
     missed += difference2;
+    contributions += exact.contributions[k] * exact.contributions[k];
     whole += exact.u[k] * exact.u[k] + exact.v[k] * exact.v[k];
-    const double local = difference2 == 0
-                             ? 0.0
-                             : std::sqrt(static_cast<double>(difference2)) / exact.contributions[k];
+    const auto local =
+        static_cast<double>(difference2 == 0 ? 0 : std::sqrt(difference2) / exact.contributions[k]);
     pointwise.push_back(std::isnan(local) ? INFINITY : local);
   }
+  if (contributions != 0) error.condition = static_cast<double>(std::sqrt(contributions / whole));
   if (missed != 0) error.relative_l2 = static_cast<double>(std::sqrt(missed / whole));
   if (std::isnan(error.relative_l2)) error.relative_l2 = INFINITY;
   std::ranges::sort(pointwise);

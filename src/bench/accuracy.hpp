@@ -12,9 +12,9 @@ namespace vortree::bench {
 /// every call: direct sums in numbers of twice the digits of a double, cores in long double; the
 /// core of a pair is that of the source.
 struct Exact {
-  std::vector<std::size_t> targets;   // places in the list of all targets, ascending
-  std::vector<long double> u, v;      // [m/s]
-  std::vector<double> contributions;  // sum_j |contribution of j|
+  std::vector<std::size_t> targets;        // places in the list of all targets, ascending
+  std::vector<long double> u, v;           // [m/s]
+  std::vector<long double> contributions;  // sum_j |contribution of j|
 };
 
 /// sample   so many targets, or all of them if there are fewer
@@ -28,6 +28,7 @@ struct VelocityError {
   double p99 = 0.0;  // 99th percentile of |velocity_i - exact_i| / sum_j |contribution of j to i|
   double max = 0.0;  // the largest of the same
   std::size_t targets = 0;  // size of the sample
+  double condition = 0.0;   // |sum_j |contribution of j||_2 / |exact|_2: how far the sums cancel
 };
 
 /// u, v   at all targets; read at those of the sample

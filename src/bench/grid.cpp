@@ -10,6 +10,7 @@
 #include "bench/convolution.hpp"
 #include "bench/spreading.hpp"
 #include "bench/window.hpp"
+#include "fmm/units.hpp"
 
 namespace vortree::bench {
 namespace {

@@ -114,6 +114,39 @@ TEST_CASE("other targets get the velocities of the sources") {
   }
 }
 
+TEST_CASE("a check that misses its tolerance ends with 1 and one line, the JSON is there") {
+  const TemporaryFolder folder;
+  write_cloud(folder / "in.h5", 2000, false);
+  const auto missed = call("velocity in.h5 --out o.h5 --order 3 --tolerance 1e-9 --verify", folder);
+  CHECK(missed.code == 1);
+  CHECK(missed.error_lines() == 1);
+  CHECK(missed.err.find("the tolerance was missed") != std::string::npos);
+  CHECK(json(folder, missed.out, "d['order'], d['error']['relative_l2'] > 1e-9") == "3 True");
+  const auto kept = call("velocity in.h5 --out o.h5 --order 60 --tolerance 1e-9 --verify", folder);
+  CHECK(kept.code == 0);
+  CHECK(json(folder, kept.out, "d['error']['condition'] > 1") == "True");
+}
+
+TEST_CASE("the check is right whatever the units, and where sums cancel") {
+  const TemporaryFolder folder;
+  const Vector x = random_values(300, 1, 0, 1), y = random_values(300, 2, 0, 1);
+  for (const double unit : {1e-200, 1e120, 1e200}) {
+    Vector scaled_x = x, scaled_y = y, gamma(300), sigma(300);
+    for (std::size_t i = 0; i < 300; ++i) {
+      scaled_x[i] *= unit, scaled_y[i] *= unit, sigma[i] = unit / 50;
+      if (i % 2 == 1) scaled_x[i] = scaled_x[i - 1] + 1e-6 * unit, scaled_y[i] = scaled_y[i - 1];
+      gamma[i] = (i % 2 == 0 ? 1 : -1) * unit;
+    }
+    write_particles(folder / "in.h5",
+                    {{"x", scaled_x}, {"y", scaled_y}, {"gamma", gamma}, {"sigma", sigma}});
+    for (const std::string method : {"fmm", "boxes", "direct"}) {
+      const auto outcome = call("velocity in.h5 --out o.h5 --verify --method " + method, folder);
+      CHECK(outcome.code == 0);
+      CHECK(json(folder, outcome.out, "0 < d['error']['relative_l2'] < 1e-6") == "True");
+    }
+  }
+}
+
 TEST_CASE("one line of JSON says what was done") {
   const TemporaryFolder folder;
   write_cloud(folder / "in.h5", 2000, true);

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "fmm/direct.hpp"
@@ -57,4 +58,55 @@ TEST_CASE("targets and results that do not fit are refused") {
                     Contains("y[1] is nan"));
   CHECK_THROWS_WITH(fmm::velocity_direct(blobs, {three, three, {}}, fmm::Cores::mean, few, v),
                     Contains("u has 2 values"));
+}
+
+TEST_CASE("blobs whose distances doubles cannot resolve are refused by every method") {
+  const std::vector<double> far{0.25, 0.5, 1e80}, near{0, 1e-70, 1}, zero{0, 0, 0};
+  const std::vector<double> narrow{1, 1e-70, 1};
+  std::vector<double> u(3), v(3), w(3);
+  for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+    CHECK_THROWS_WITH(make(far, zero, three, {}, {.method = method}),
+                      Contains("blobs 0 and 1 are 0.25 apart"));
+    CHECK_THROWS_WITH(make(near, zero, three, {}, {.method = method}),
+                      Contains("blobs 0 and 1 are 1e-70 apart"));
+    CHECK_THROWS_WITH(make({1, 2, 1.7e308}, three, three, {}, {.method = method}),
+                      Contains("x[2] is 1.7e+308"));
+    CHECK_THROWS_WITH(make(three, three, three, {1e80, 1e80, 1e80}, {.method = method}),
+                      Contains("sigma[0] is 1e+80"));
+    CHECK_NOTHROW(make({0.25, 0.25, 1e80}, zero, three, {}, {.method = method}));
+    CHECK_NOTHROW(make({1e-70, 0.5, 1}, {1e-80, 2, 3}, three, {}, {.method = method}));
+    const fmm::Plan plan({three, three, three, narrow}, {.method = method});
+    const fmm::Targets targets{three, three, {}};
+    CHECK_THROWS_WITH(plan.gradient(targets, u, v, w), Contains("sigma[1] is 1e-70"));
+    CHECK_THROWS_WITH(plan.velocity_and_gradient(u, v, u, v, w), Contains("sigma[1] is 1e-70"));
+    CHECK_THROWS_WITH(plan.stream_function(targets, w), Contains("sigma[1] is 1e-70"));
+  }
+  const auto direct = [&](const std::vector<double>& x) {
+    fmm::velocity_direct({x, zero, three, {}}, {x, zero, {}}, fmm::Cores::source, u, v);
+  };
+  CHECK_THROWS_WITH(direct(far), Contains("apart"));
+  CHECK_THROWS_WITH(direct({1, 2, 1.7e308}), Contains("x[2]"));
+}
+
+TEST_CASE(
+    "velocities that a double cannot hold in the user's units are refused, others are right") {
+  const std::vector<double> x{0, 1e-150}, y{0, 0}, far_x{3e300, 1}, far_y{4e300, 1};
+  std::vector<double> u(2), v(2);
+  for (const double gamma : {1e200, 1e-200}) {
+    const std::vector<double> strengths{gamma, gamma};
+    const std::vector<double> scaled{0, gamma > 1 ? 1e-150 : 1e150};
+    for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+      const fmm::Plan plan({scaled, y, strengths, {}}, {.method = method});
+      CHECK_THROWS_WITH(plan.velocity(u, v), Contains("a double cannot hold"));
+    }
+    CHECK_THROWS_WITH(
+        fmm::velocity_direct({scaled, y, strengths, {}}, {scaled, y, {}}, fmm::Cores::source, u, v),
+        Contains("a double cannot hold"));
+  }
+  // Beyond 1e70 extents there is one vortex of all circulation: |u| = 6/(2 pi 5e300).
+  for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+    fmm::Plan({three, three, three, {}}, {.method = method}).velocity({far_x, far_y, {}}, u, v);
+    CHECK(u[0] == Approx(-6 / (2 * std::numbers::pi) * 0.8 / 5e300).epsilon(1e-14));
+    CHECK(v[0] == Approx(6 / (2 * std::numbers::pi) * 0.6 / 5e300).epsilon(1e-14));
+  }
 }
