@@ -87,6 +87,8 @@ NamedTimes list(hid_t file) {
     try {
       const h5::Handle group = h5::own(H5Gopen2(file, name.c_str(), H5P_DEFAULT), name);
       found.emplace_back(h5::read_double(group, "time"), name);
+    } catch (const h5::NotTheFile& refused) {
+      throw std::runtime_error(fmt::format("{}: {}", h5::file_name(file), refused.what()));
     } catch (const h5::Failure&) {
       continue;
     }
@@ -98,8 +100,9 @@ NamedTimes list(hid_t file) {
 std::optional<Field> read_if_good(hid_t file, const std::string& name) {
   try {
     return read_group(file, name);
-  } catch (const h5::NoRoom&) {
-    throw;
+  } catch (const h5::NotTheFile& refused) {
+    throw std::runtime_error(
+        fmt::format("{}: {}: {}; nothing was changed", h5::file_name(file), name, refused.what()));
   } catch (const h5::Failure&) {
     return std::nullopt;
   }
@@ -116,6 +119,8 @@ void refresh_xdmf(const fs::path& dir) {
     try {
       const h5::Handle group = h5::own(H5Gopen2(file, name.c_str(), H5P_DEFAULT), name);
       labels.push_back({name, time, length_of(group, "y"), length_of(group, "x")});
+    } catch (const h5::NotTheFile&) {
+      throw;
     } catch (const h5::Failure&) {
       continue;
     }

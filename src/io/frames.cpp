@@ -54,8 +54,9 @@ void continue_xdmf(const fs::path& dir, const Frame& frame) {
 std::optional<Frame> read_if_good(hid_t file, const FramePlace& place) {
   try {
     return read_frame(file, place);
-  } catch (const h5::NoRoom&) {
-    throw;  // not the frame's fault: it must not be dropped
+  } catch (const h5::NotTheFile& refused) {
+    throw std::runtime_error(fmt::format("{}: {}: {}; nothing was changed", h5::file_name(file),
+                                         frame_name(place.step), refused.what()));
   } catch (const h5::Failure&) {
     return std::nullopt;
   }
@@ -102,6 +103,8 @@ std::string warning_of(const fs::path& path, const MendedFile& opened,
 RunInfo info_of(const fs::path& path, const MendedFile& opened) {
   try {
     if (opened.file >= 0) return read_run_info(opened.file);
+  } catch (const h5::NotTheFile& refused) {
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), refused.what()));
   } catch (const h5::Failure& failure) {
     if (opened.wound.empty()) {
       throw InputError(fmt::format("{} is HDF5 but no frames file: its attribute {} is missing",

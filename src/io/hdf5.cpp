@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 
@@ -18,21 +19,41 @@ namespace {
 
 constexpr hsize_t bytes_of_a_link = 8;  // at the least: the address of what it leads to
 
+struct Reason {
+  int number = 0;
+  std::string words{};
+};
+
 extern "C" herr_t find_reason(unsigned, const H5E_error2_t* error, void* found) {
   const std::string_view words = error->desc == nullptr ? "" : error->desc;
-  constexpr std::string_view mark = "error message = '";
-  const std::size_t from = words.find(mark);
-  if (from == std::string_view::npos) return 0;
-  const std::string_view reason = words.substr(from + mark.size());
-  *static_cast<std::string*>(found) = ": " + std::string(reason.substr(0, reason.find('\'')));
+  constexpr std::string_view number = "errno = ", message = "error message = '";
+  const std::size_t at = words.find(number), from = words.find(message);
+  if (at == std::string_view::npos || from == std::string_view::npos) return 0;
+  const std::string_view reason = words.substr(from + message.size());
+  *static_cast<Reason*>(found) = {std::atoi(words.data() + at + number.size()),
+                                  std::string(reason.substr(0, reason.find('\'')))};
   return 1;
 }
 
-/// ": No space left on device", or nothing if it was not the system that refused.
-std::string reason() {
-  std::string found;
+/// Of the last call that failed: why the system refused it, if it was that.
+Reason reason() {
+  Reason found;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, find_reason, &found);
   return found;
+}
+
+/// throws  NotTheFile(what) if the last call failed since the system refused it; not where a
+/// damaged
+///         file made HDF5 ask for what cannot be
+void blame_the_system(std::string_view what) {
+  const Reason why = reason();
+  if (why.number == 0 || why.number == EINVAL || why.number == EOVERFLOW) return;
+  throw NotTheFile(fmt::format("{}: {}", what, why.words));
+}
+
+[[noreturn]] void fail(std::string_view what) {
+  blame_the_system(what);
+  throw Failure(std::string(what));
 }
 
 // HDF5 keeps the switch for each thread, so it is thrown with every file, not once.
@@ -99,16 +120,16 @@ T read_number(hid_t object, const std::string& name, hid_t type) {
 }  // namespace
 
 Handle own(hid_t id, std::string_view what) {
-  if (id < 0) throw Failure(std::string(what) + reason());
+  if (id < 0) fail(what);
   return Handle(id);
 }
 
 void check(herr_t status, std::string_view what) {
-  if (status < 0) throw Failure(std::string(what) + reason());
+  if (status < 0) fail(what);
 }
 
 void close(Handle handle, std::string_view what) {
-  if (!handle.close()) throw Failure(std::string(what) + reason());
+  if (!handle.close()) fail(what);
 }
 
 bool is_hdf5(const std::filesystem::path& path) {
@@ -169,12 +190,23 @@ void append_group(hid_t file, const std::string& name, const std::function<void(
   close(std::move(group), name);
 }
 
+std::string file_name(hid_t file) {
+  const ssize_t length = H5Fget_name(file, nullptr, 0);
+  if (length <= 0) return "a file";
+  std::string name(static_cast<std::size_t>(length) + 1, '\0');
+  (void)H5Fget_name(file, name.data(), name.size());
+  name.pop_back();
+  return name;
+}
+
 bool has(hid_t place, const std::string& name) {
   return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0;
 }
 
 bool has_attribute(hid_t object, const std::string& name) {
-  return H5Aexists(object, name.c_str()) > 0;
+  const htri_t found = H5Aexists(object, name.c_str());
+  check(found, name);
+  return found > 0;
 }
 
 std::vector<Link> links(hid_t group, hsize_t most) {
@@ -187,6 +219,7 @@ std::vector<Link> links(hid_t group, hsize_t most) {
       return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, text, room, H5P_DEFAULT);
     };
     const ssize_t length = name_of(nullptr, 0);
+    if (length <= 0) blame_the_system("the list of names cannot be read");
     if (length <= 0) continue;
     std::string name(static_cast<std::size_t>(length) + 1, '\0');
     if (name_of(name.data(), name.size()) != length) continue;
@@ -226,10 +259,11 @@ std::vector<double> read_dataset(hid_t set, const std::string& name) {
   try {
     values.resize(count);
   } catch (const std::bad_alloc&) {
-    throw NoRoom(fmt::format("{} has {} numbers, for which there is no memory", name, count));
+    throw NotTheFile(fmt::format("{} has {} numbers, for which there is no memory", name, count));
   }
   if (values.empty()) return values;
   if (H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) {
+    blame_the_system(name + " cannot be read");
     throw Failure(why_unreadable(set, name));
   }
   return values;

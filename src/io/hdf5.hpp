@@ -24,8 +24,9 @@ class Failure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// There is no memory for what is to be read: says nothing against the file.
-class NoRoom : public Failure {
+/// What says nothing against the file: no memory for what is to be read, or the system refused to
+/// open or read it. Such a thing must not be taken for damage, which may be dropped.
+class NotTheFile : public Failure {
  public:
   using Failure::Failure;
 };
@@ -89,6 +90,9 @@ void replace_file(const std::filesystem::path&,
 /// process killed on the way leaves a file without the group, not a file with half of it; a power
 /// failure may leave half of it, which its checksum tells.
 void append_group(hid_t file, const std::string& name, const std::function<void(hid_t)>& fill);
+
+/// As it was opened.
+[[nodiscard]] std::string file_name(hid_t file);
 
 [[nodiscard]] bool has(hid_t place, const std::string& name);
 [[nodiscard]] bool has_attribute(hid_t object, const std::string& name);

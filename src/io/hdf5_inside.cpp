@@ -85,7 +85,7 @@ std::size_t believed_count(hid_t set, const std::string& name) {
 void require_room(std::size_t count, const std::string& name) {
   const std::uint64_t room = free_memory();
   if (count > room / sizeof(double)) {
-    throw NoRoom(
+    throw NotTheFile(
         fmt::format("{} has {} numbers, {:.3g} GB as doubles; {:.3g} GB of memory are "
                     "free",
                     name, count, 1e-9 * sizeof(double) * static_cast<double>(count),

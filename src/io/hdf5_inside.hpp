@@ -25,7 +25,7 @@ void forbid_other_files();
 /// throws  Failure, a sentence with the numbers, if the file is too short to hold so many
 [[nodiscard]] std::size_t believed_count(hid_t set, const std::string& name);
 
-/// throws  NoRoom, a sentence with the numbers, if so many doubles do not fit into the memory
+/// throws  NotTheFile, a sentence with the numbers, if so many doubles do not fit into the memory
 void require_room(std::size_t count, const std::string& name);
 
 /// Why the numbers of a dataset cannot be read, as a sentence: a filter that is not there, or

@@ -27,6 +27,7 @@ std::optional<std::uint64_t> promised_bytes(const fs::path& path) {
   std::array<char, end_of_file_at + sizeof(std::uint64_t)> head{};
   std::ifstream in(path, std::ios::binary);
   in.read(head.data(), head.size());
+  if (!in.is_open() || in.bad()) throw std::runtime_error(path.string() + " cannot be read");
   const std::string_view found(head.data(), static_cast<std::size_t>(in.gcount()));
   const std::size_t known = std::min(found.size(), signature.size());
   if (found.substr(0, known) != signature.substr(0, known)) {
@@ -82,6 +83,8 @@ MendedFile open_mended(const fs::path& path) {
   try {
     opened.file = h5::open_file(readable);
     (void)h5::links(opened.file);
+  } catch (const h5::NotTheFile& refused) {
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), refused.what()));
   } catch (const h5::Failure&) {
     opened.file.close();
     if (opened.wound.empty()) opened.wound = "is damaged at its beginning";

@@ -16,7 +16,8 @@ struct MendedFile {
 
 /// Opens a file that may have been cut: HDF5 refuses a file shorter than its superblock
 /// says, so a copy is filled up with zeros to that length, which has no name any more when it is
-/// open. throws  InputError if there is no such file, if it is not a regular one, or if it never
+/// open. What the system refuses to open or read is no damage: throws std::runtime_error. throws
+/// InputError if there is no such file, if it is not a regular one, or if it never
 /// was HDF5
 [[nodiscard]] MendedFile open_mended(const std::filesystem::path&);
 

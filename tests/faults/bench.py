@@ -76,10 +76,11 @@ class Bench:
                                 env=self.environment(), stdin=subprocess.DEVNULL,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
 
-    def calls(self, scene, names):
-        """How many calls of these names a whole run makes into its folder."""
-        folder, told = self.folder(), self.folder()
-        end = self.run(scene, folder, faults=dict(calls=names, count=told, folder=folder))
+    def calls(self, scene, names, resumed=False):
+        """How many calls of these names a whole run, or its resuming, makes into its folder."""
+        folder, told = self.copy(scene) if resumed else self.folder(), self.folder()
+        end = self.run(scene, folder, *["--resume"] * resumed,
+                       faults=dict(calls=names, count=told, folder=folder))
         assert end.code == 0, end
         return int(told.read_text())
 

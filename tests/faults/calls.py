@@ -8,9 +8,10 @@ import time
 from bench import (Trial, has_frames, require_clean, require_recovery, wait_for_end,
                    wait_for_rows)
 
-CALLS = {"write": errno.ENOSPC, "fsync": errno.EIO, "open": errno.EACCES, "rename": errno.EROFS,
-         "link": errno.EIO, "unlink": errno.EPERM, "truncate": errno.ENOSPC, "close": errno.EIO,
-         "mkdir": errno.EROFS, "flock": errno.ENOLCK}
+CALLS = {"read": errno.EIO, "write": errno.ENOSPC, "fsync": errno.EIO, "open": errno.EACCES,
+         "rename": errno.EROFS, "link": errno.EIO, "unlink": errno.EPERM,
+         "truncate": errno.ENOSPC, "close": errno.EIO, "mkdir": errno.EROFS,
+         "flock": errno.ENOLCK}
 
 
 def kills_at_random(bench, count, random):
@@ -43,7 +44,7 @@ def under(bench, scene, resumed, **faults):
     folder = bench.copy(scene) if resumed else bench.folder()
     words = ["--resume"] if resumed else []
     end = bench.run(scene, folder, *words, faults=dict(folder=folder, **faults))
-    if not resumed and faults.get("calls") in ("write", "fsync", "rename", "truncate"):
+    if faults.get("calls") in ("write", "fsync", "rename", "truncate"):
         assert end.code == 1, f"a failed {faults['calls']} passed for a success"
     return require_recovery(bench, scene, folder, end, (signal.SIGKILL,))
 
@@ -66,13 +67,14 @@ def failing_calls(bench, count, random):
     """One call fails, or all from there on: every place of a short run where there is time."""
     for scene in bench.scenes:
         for call, why in CALLS.items():
-            total = bench.calls(scene, call)
-            for at in places(total, 6 * count if call == "write" else 2 * count, random):
-                for lasts in (False, True) if at % 3 == 0 else (False,):
-                    more = dict(lasts=1) if lasts else {}
-                    resumed = random.random() < 0.2
-                    yield Trial(f"failing {call}", f"{scene} {call} {at} of {total}, {more} {resumed}",
-                                lambda s=scene, c=call, n=at, w=why, m=more, r=resumed: under(
+            for resumed in (False, True):
+                total = bench.calls(scene, call, resumed)
+                most = (3 if call in ("read", "write") else 1) * count * (1 if resumed else 2)
+                for at in places(total, most, random):
+                    lasts = dict(lasts=1) if random.random() < 0.25 else {}
+                    yield Trial(f"failing {call}", f"{scene} {call} {at} of {total} {lasts} "
+                                f"{'resumed' if resumed else ''}",
+                                lambda s=scene, c=call, n=at, w=why, m=lasts, r=resumed: under(
                                     bench, s, r, calls=c, at=n, how=w, **m))
 
 

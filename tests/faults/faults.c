@@ -1,8 +1,8 @@
 // A library to be preloaded (LD_PRELOAD): makes one call to the system fail, or ends the process
 // there, as a full or broken disk, a kill or a power failure would.
 //
-//   FAULT_CALLS   names that are counted, separated by commas: open write fsync rename link unlink
-//                 truncate close mkdir flock; or "all"
+//   FAULT_CALLS   names that are counted, separated by commas: open read write fsync rename link
+//                 unlink truncate close mkdir flock; or "all"
 //   FAULT_AT      which of them, from 1 on; 0 or none: only count
 //   FAULT_HOW     an errno to fail with, or "kill"
 //   FAULT_LASTS   set: all later ones fail, too
@@ -143,6 +143,22 @@ ssize_t writev(int descriptor, const struct iovec* parts, int count) {
     }                                                                  \
     return real(descriptor);                                           \
   }
+ssize_t pread64(int descriptor, void* data, size_t count, off64_t offset) {
+  REAL("pread64", ssize_t, int, void*, size_t, off64_t);
+  if (fails("read", descriptor_in_folder(descriptor))) return -1;
+  return real(descriptor, data, count, offset);
+}
+
+ssize_t pread(int descriptor, void* data, size_t count, off_t offset) {
+  return pread64(descriptor, data, count, offset);
+}
+
+ssize_t read(int descriptor, void* data, size_t count) {
+  REAL("read", ssize_t, int, void*, size_t);
+  if (fails("read", descriptor_in_folder(descriptor))) return -1;
+  return real(descriptor, data, count);
+}
+
 WITH_DESCRIPTOR(fsync, "fsync")
 WITH_DESCRIPTOR(fdatasync, "fsync")
 WITH_DESCRIPTOR(close, "close")

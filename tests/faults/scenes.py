@@ -50,7 +50,7 @@ stream = [1.0, 0.0]
 [body]
 shape = "naca0012"
 chord = 1.0
-panels = 200
+panels = 600
 [plunge]
 amplitude = 0.1
 frequency = 1.0
