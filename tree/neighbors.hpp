@@ -67,7 +67,8 @@ class Neighbors {
   /// Lists the neighbors of all placed particles.
   ///
   /// rows    overwritten; its buffers are used again
-  /// throws  std::invalid_argument for each pair once under rule own, which is not symmetric
+  /// throws  std::invalid_argument for each pair once under rule own, which is not symmetric;
+  ///         std::length_error if there are more pairs than rows.most
   void list(PairRule rule, Listing listing, Rows& rows);
 
   /// Shows every particle that has neighbors, with them, to a visitor; no list is stored.

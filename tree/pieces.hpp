@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -22,21 +23,38 @@ inline constexpr std::size_t worth_sharing = 150000, shared_pieces = 16;
           static_cast<std::uint32_t>(n * (p + 1) / pieces)};
 }
 
+/// What is thrown by one of several threads, to be thrown again when they have joined: nothing may
+/// leave a parallel region.
+class Thrown {
+ public:
+  /// Does some work, unless something was thrown already.
+  template <class Work>
+  void guard(const Work& work) noexcept {
+    if (is_thrown_.load(std::memory_order_relaxed)) return;
+    try {
+      work();
+    } catch (...) {
+#pragma omp critical(vortree_tree_thrown)
+      if (!is_thrown_.exchange(true)) what_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (what_) std::rethrow_exception(what_);
+  }
+
+ private:
+  std::atomic<bool> is_thrown_ = false;
+  std::exception_ptr what_;
+};
+
 /// Calls work(p) for every piece, threads side by side. What the work throws comes out.
 template <class Work>
 void for_each_piece(std::size_t pieces, const Work& work) {
   if (pieces == 1) return work(std::size_t{0});
-  std::exception_ptr thrown;
+  Thrown thrown;
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t p = 0; p < pieces; ++p) {
-    try {
-      work(p);
-    } catch (...) {
-#pragma omp critical(vortree_tree_pieces)
-      thrown = std::current_exception();
-    }
-  }
-  if (thrown) std::rethrow_exception(thrown);
+  for (std::size_t p = 0; p < pieces; ++p) thrown.guard([&] { work(p); });
+  thrown.rethrow();
 }
 
 }  // namespace vortree::tree

@@ -1,9 +1,11 @@
 #include "tree/row_search.hpp"
 
+#include <atomic>
 #include <bit>
 #include <utility>
 
 #include "tree/candidates.hpp"
+#include "tree/pieces.hpp"
 
 namespace vortree::tree {
 
@@ -44,8 +46,9 @@ class RowSearch::Pass {
   Pass(const Placed& placed, const NameCandidates& name, PairRule rule, Listing listing)
       : placed_(placed), name_(name), rule_(rule), listing_(listing) {}
 
-  // Tests all pairs of a chunk, keeps what passed and tells how long each row is.
-  void count(std::span<const Group> groups, Chunk& chunk, Buffer<std::int64_t>& length) {
+  // Tests all pairs of a chunk, keeps what passed and tells how long each row is, and all together.
+  std::int64_t count(std::span<const Group> groups, Chunk& chunk, Buffer<std::int64_t>& length) {
+    std::int64_t sum = 0;
     chunk.others.clear(), chunk.other_count.clear(), chunk.kept.clear(), chunk.hits.clear();
     for (const Group& group : groups.subspan(chunk.first, chunk.last - chunk.first)) {
       find_others(group);
@@ -60,10 +63,12 @@ class RowSearch::Pass {
       for (std::uint32_t local = 0; local < group.own.size(); ++local) {
         const std::size_t at = keeps ? hits.size() : 0;
         hits.resize(at + candidates_.registers() - first_register(local));
-        length[static_cast<std::size_t>(placed_.id[group.own.first + local])] =
-            test(local, hits.data() + at);
+        const std::int64_t found = test(local, hits.data() + at);
+        length[static_cast<std::size_t>(placed_.id[group.own.first + local])] = found;
+        sum += found;
       }
     }
+    return sum;
   }
 
   // Writes the rows of a chunk.
@@ -218,32 +223,38 @@ void RowSearch::list(const Placed& placed, std::span<const Group> groups,
   share_out(groups);
   rows.start.renew(placed.size + 1);
   rows.start[placed.size] = 0;
-  std::int64_t total = 0;
+  Thrown thrown;
+  std::atomic<std::int64_t> pairs = 0;
 #pragma omp parallel
   {
     Pass pass(placed, name, rule, listing);
 #pragma omp for schedule(dynamic)
-    for (Chunk& chunk : chunks_) pass.count(groups, chunk, rows.start);
-#pragma omp single
-    {
-      total = add_up(rows.start.span());
-      rows.index.renew(static_cast<std::size_t>(total));
+    for (Chunk& chunk : chunks_) {
+      thrown.guard([&] {
+        pairs += pass.count(groups, chunk, rows.start);
+        if (pairs > rows.most) rows.refuse(pairs);
+      });
     }
+#pragma omp single
+    thrown.guard([&] { rows.make_room(add_up(rows.start.span())); });
 #pragma omp for schedule(dynamic)
-    for (Chunk& chunk : chunks_) pass.write(groups, chunk, rows);
+    for (Chunk& chunk : chunks_) thrown.guard([&] { pass.write(groups, chunk, rows); });
   }
+  thrown.rethrow();
 }
 
 void RowSearch::visit(const Placed& placed, std::span<const Group> groups,
                       const NameCandidates& name, PairRule rule, Listing listing,
                       const RowVisitor& visitor) {
   share_out(groups);
+  Thrown thrown;
 #pragma omp parallel
   {
     Pass pass(placed, name, rule, listing);
 #pragma omp for schedule(dynamic)
-    for (Chunk& chunk : chunks_) pass.visit(groups, chunk, visitor);
+    for (Chunk& chunk : chunks_) thrown.guard([&] { pass.visit(groups, chunk, visitor); });
   }
+  thrown.rethrow();
 }
 
 std::size_t RowSearch::bytes() const {

@@ -42,10 +42,12 @@ class RowSearch {
   /// Lists into `rows`, whose old buffers are used again.
   ///
   /// groups   together hold every placed particle once
+  /// throws   std::length_error if there are more pairs than rows.most
   void list(const Placed& placed, std::span<const Group> groups, const NameCandidates& name,
             PairRule rule, Listing listing, Rows& rows);
 
-  /// Shows every row that is not empty to a visitor; nothing is stored.
+  /// Shows every row that is not empty to a visitor; nothing is stored. What the visitor throws
+  /// comes out.
   void visit(const Placed& placed, std::span<const Group> groups, const NameCandidates& name,
              PairRule rule, Listing listing, const RowVisitor& visitor);
 

@@ -3,7 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
+#include <stdexcept>
+#include <string>
 
 #include "tree/buffer.hpp"
 
@@ -23,9 +26,24 @@ enum class Listing { both_ways, once };
 /// is its own neighbor.
 ///
 /// start   n + 1 numbers: pairs beyond 2^32 fit
+/// most    pairs that may be listed: a search that finds more throws std::length_error with both
+///         numbers, before it asks for memory for them
 struct Rows {
   Buffer<std::int64_t> start;
   Buffer<std::int32_t> index;
+  std::int64_t most = std::numeric_limits<std::int64_t>::max();
+
+  /// Makes room for so many pairs.
+  ///
+  /// throws  std::length_error if there are more than `most`
+  void make_room(std::int64_t pairs) {
+    if (pairs > most) refuse(pairs);
+    index.renew(static_cast<std::size_t>(pairs));
+  }
+  [[noreturn]] void refuse(std::int64_t pairs) const {
+    throw std::length_error("neighbors: " + std::to_string(pairs) + " pairs and more; at most " +
+                            std::to_string(most) + " may be listed");
+  }
 
   [[nodiscard]] std::size_t size() const { return start.size() == 0 ? 0 : start.size() - 1; }
   [[nodiscard]] std::span<const std::int32_t> row(std::size_t i) const {

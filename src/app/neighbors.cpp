@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include "app/while_reading.hpp"
 #include "bench/neighbor_methods.hpp"
 #include "io/files.hpp"
+#include "io/free_memory.hpp"
 #include "io/particles.hpp"
 #include "tree/own_cells.hpp"
 
@@ -54,6 +56,38 @@ io::Particles read_particles(const NeighborsJob& job) {
   return particles;
 }
 
+// How many pairs the free memory holds. Who asks the system for more than that is killed without a
+// word.
+//
+// throws  std::runtime_error with numbers, if it does not even hold the particles
+std::int64_t room_for_pairs(const NeighborsJob& job, const bench::NeighborMaker& maker,
+                            std::size_t n, std::uint64_t free) {
+  const std::uint64_t taken = n * maker.particle_bytes;
+  if (taken > free) {
+    throw std::runtime_error(fmt::format(
+        "{}: the neighbors of {} particles take {:.3g} GB besides their pairs; {:.3g} GB are free",
+        job.in.string(), n, 1e-9 * static_cast<double>(taken), 1e-9 * static_cast<double>(free)));
+  }
+  return static_cast<std::int64_t>(
+      std::min<std::uint64_t>((free - taken) / maker.pair_bytes, INT64_MAX));
+}
+
+// throws  std::runtime_error with numbers, if there are more pairs than memory holds
+Laps search(const NeighborsJob& job, const bench::NeighborMaker& maker,
+            const bench::NeighborJob& asked, tree::Rows& rows) {
+  const auto method = maker.make();
+  Laps laps;
+  const std::uint64_t free = io::free_memory();
+  rows.most = room_for_pairs(job, maker, asked.points.size(), free);
+  try {
+    for (int k = 0; k < job.repeat; ++k) search(*method, asked, rows, laps);
+  } catch (const std::length_error& refused) {
+    throw std::runtime_error(fmt::format("{}: {}; {:.3g} GB of memory were free", job.in.string(),
+                                         refused.what(), 1e-9 * static_cast<double>(free)));
+  }
+  return laps;
+}
+
 void write_rows(const std::filesystem::path& out, const tree::Rows& rows) {
   const std::array columns{io::Column{"start", rows.start.span()},
                            io::Column{"index", rows.index.span()}};
@@ -79,7 +113,7 @@ io::Json neighbors(const NeighborsJob& job) {
   if (job.half && job.rule == tree::PairRule::own) {
     throw std::invalid_argument("--half lists each pair once, but rule own is not symmetric");
   }
-  const auto method = bench::neighbor_method(job.method).make();
+  const bench::NeighborMaker& maker = bench::neighbor_method(job.method);
   Stopwatch files;
   files.begin("io");
   io::require_writable(job.out, std::array{job.in});
@@ -89,8 +123,7 @@ io::Json neighbors(const NeighborsJob& job) {
   const auto listing = job.half ? tree::Listing::once : tree::Listing::both_ways;
   const bench::NeighborJob asked{{particles.x, particles.y}, particles.reach, job.rule, listing};
   tree::Rows rows;
-  Laps laps;
-  for (int k = 0; k < job.repeat; ++k) search(*method, asked, rows, laps);
+  const Laps laps = search(job, maker, asked, rows);
 
   files.begin("io");
   write_rows(job.out, rows);

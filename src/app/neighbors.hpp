@@ -27,7 +27,9 @@ struct NeighborsJob {
 /// returns  what was done, for standard output: n, method, builder, threads, rule, half, pairs (as
 ///          many as index has), peak_bytes, seconds {tree, search, total: medians of all
 ///          repetitions; io}. The builder of a method that has no tree is null.
-/// throws   io::InputError for wrong files, std::invalid_argument for each pair once under rule own
+/// throws   io::InputError for wrong files, std::invalid_argument for each pair once under rule
+/// own;
+///          std::runtime_error for more particles or pairs than the free memory holds
 io::Json neighbors(const NeighborsJob& job);
 
 }  // namespace vortree::app

@@ -58,7 +58,8 @@ struct Grid {
     const int r0 = y0 - r <= low ? 0 : row(y0 - r);
     const int r1 = y1 + r >= high ? rows - 1 : row(y1 + r);
     for (int y = r0; y <= r1; ++y) {
-      runs.push_back({first[y * columns + c0], first[y * columns + c1 + 1]});
+      const std::size_t begin = static_cast<std::size_t>(y) * columns;
+      runs.push_back({first[begin + c0], first[begin + c1 + 1]});
     }
   }
 };

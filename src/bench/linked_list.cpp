@@ -29,7 +29,7 @@ class LinkedList : public NeighborMethod {
   void search(const NeighborJob& job, tree::Rows& rows) override {
     first_.clear(), second_.clear();
     length_.assign(job.points.size(), 0);
-    with_rule(job.rule, [&]<PairRule rule> { find_pairs<rule>(job); });
+    with_rule(job.rule, [&]<PairRule rule> { find_pairs<rule>(job, rows); });
     write(rows);
   }
 
@@ -54,10 +54,12 @@ class LinkedList : public NeighborMethod {
   }
 
   template <PairRule rule>
-  void find_pairs(const NeighborJob& job) {
+  void find_pairs(const NeighborJob& job, const tree::Rows& rows) {
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         for (std::int32_t i = head(column, row); i >= 0; i = next_[i]) {
+          const auto pairs = static_cast<std::int64_t>(first_.size());
+          if (pairs > rows.most) rows.refuse(pairs);
           test<rule>(job, i, next_[i]);
           test<rule>(job, i, head(column + 1, row));
           for (int c = column - 1; c <= column + 1; ++c) test<rule>(job, i, head(c, row + 1));
@@ -98,7 +100,7 @@ class LinkedList : public NeighborMethod {
     rows.start.renew(n + 1);
     rows.start[0] = 0;
     for (std::size_t i = 0; i < n; ++i) rows.start[i + 1] = rows.start[i] + length_[i];
-    rows.index.renew(first_.size());
+    rows.make_room(static_cast<std::int64_t>(first_.size()));
     for (std::size_t k = 0; k < first_.size(); ++k) {
       const auto i = static_cast<std::size_t>(first_[k]);
       rows.index[static_cast<std::size_t>(rows.start[i + 1] - length_[i]--)] = second_[k];

@@ -22,13 +22,14 @@ class Qcg : public NeighborMethod {
 };
 
 constexpr std::array makers{
-    NeighborMaker{"qcg", "quadtree cells grid", false, make_qcg},
-    NeighborMaker{"level-grids", "one grid a level", false, make_level_grids},
-    NeighborMaker{"uniform-grid", "one grid, vector tests", false, make_uniform_grid},
-    NeighborMaker{"linked-list", "linked list, half stencil", false, make_linked_list},
-    NeighborMaker{"leaf-quadtree", "quadtree, one particle a leaf", false, make_leaf_quadtree},
-    NeighborMaker{"r-tree", "R-tree of Boost", false, make_r_tree},
-    NeighborMaker{"all-pairs", "all pairs", true, make_all_pairs}};
+    NeighborMaker{"qcg", "quadtree cells grid", false, 120, 5, make_qcg},
+    NeighborMaker{"level-grids", "one grid a level", false, 90, 5, make_level_grids},
+    NeighborMaker{"uniform-grid", "one grid, vector tests", false, 90, 5, make_uniform_grid},
+    NeighborMaker{"linked-list", "linked list, half stencil", false, 30, 16, make_linked_list},
+    NeighborMaker{"leaf-quadtree", "quadtree, one particle a leaf", false, 200, 12,
+                  make_leaf_quadtree},
+    NeighborMaker{"r-tree", "R-tree of Boost", false, 300, 12, make_r_tree},
+    NeighborMaker{"all-pairs", "all pairs", true, 10, 12, make_all_pairs}};
 
 }  // namespace
 

@@ -31,12 +31,15 @@ class NeighborMethod {
 
 /// One of the methods.
 ///
-/// name        on the command line
-/// reads       what it is, in a few words
-/// quadratic   its time grows like n^2
+/// name             on the command line
+/// reads            what it is, in a few words
+/// quadratic        its time grows like n^2
+/// particle_bytes   memory that a particle takes, beside its input and its neighbors
+/// pair_bytes       at most, that an entry of the list takes while it is sought and stored
 struct NeighborMaker {
   std::string_view name, reads;
   bool quadratic;
+  std::size_t particle_bytes, pair_bytes;
   std::unique_ptr<NeighborMethod> (*make)();
 };
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
 #include "bench/exact_pairs.hpp"
+#include "tree/pieces.hpp"
 #include "tree/rows.hpp"
 
 namespace vortree::bench {
@@ -21,13 +23,15 @@ void write_rows(std::size_t n, const Find& find, tree::Rows& rows) {
   std::vector<std::vector<std::int32_t>> found(portions);
   rows.start.renew(n + 1);
   rows.start[0] = 0;
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t p = 0; p < portions; ++p) {
+  std::atomic<std::int64_t> pairs = 0;
+  tree::for_each_piece(portions, [&](std::size_t p) {
     for (std::size_t i = p * portion; i < std::min(n, (p + 1) * portion); ++i) {
       find(i, found[p]);
       rows.start[i + 1] = static_cast<std::int64_t>(found[p].size());
     }
-  }
+    pairs += static_cast<std::int64_t>(found[p].size());
+    if (pairs > rows.most) rows.refuse(pairs);
+  });
   std::int64_t before = 0;
   for (std::size_t p = 0; p < portions; ++p) {
     for (std::size_t i = p * portion; i < std::min(n, (p + 1) * portion); ++i) {
@@ -35,7 +39,7 @@ void write_rows(std::size_t n, const Find& find, tree::Rows& rows) {
     }
     before += static_cast<std::int64_t>(found[p].size());
   }
-  rows.index.renew(static_cast<std::size_t>(before));
+  rows.make_room(before);
 #pragma omp parallel for schedule(static)
   for (std::size_t p = 0; p < portions; ++p) {
     std::ranges::copy(found[p], rows.index.data() + rows.start[p * portion]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <stdexcept>
 
 #include "bench/neighbor_measure.hpp"
 #include "bench/particle_sets.hpp"
@@ -94,6 +95,19 @@ TEST_CASE("every method lists them at any scale, and down to the spacing of doub
     for (const PairRule rule : {PairRule::max, PairRule::mean, PairRule::own}) {
       check_methods(cloud.points(), reach, rule);
     }
+  }
+}
+
+TEST_CASE("every method refuses more pairs than may be listed") {
+  const bench::ParticleSet set = bench::make_particles("uni:30");
+  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
+    CAPTURE(maker.name);
+    const bench::NeighborJob job{set.points(), set.reach};
+    const auto method = maker.make();
+    tree::Rows rows;
+    rows.most = 100;
+    method->build(job);
+    CHECK_THROWS_AS(method->search(job, rows), std::length_error);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 #include "tree/build_forward.hpp"
 #include "tree/pairs.hpp"
@@ -195,6 +197,33 @@ TEST_CASE("what cannot be searched is refused with numbers") {
   search.place(tree, points, reach);
   tree::Rows rows;
   CHECK_THROWS_WITH(search.list(PairRule::own, Listing::once, rows), Contains("not symmetric"));
+}
+
+TEST_CASE("more pairs than may be listed are refused with both numbers, by any number of threads") {
+  test::Chance chance(38);
+  const test::Cloud cloud = test::make_cloud(0, 20000, chance);
+  const auto reach = test::make_reach(0, cloud.x.size(), 1.0, chance);
+  tree::Neighbors search;
+  search.place(cloud.points(), reach);
+  tree::Rows rows;
+  search.list(PairRule::max, Listing::both_ways, rows);
+  const auto pairs = static_cast<std::int64_t>(rows.index.size());
+  const int all = omp_get_max_threads();
+  for (const int threads : {1, 4}) {
+    omp_set_num_threads(threads);
+    rows.most = pairs - 1;
+    CHECK_THROWS_WITH(search.list(PairRule::max, Listing::both_ways, rows),
+                      Contains(std::to_string(pairs) + " pairs and more") &&
+                          Contains("at most " + std::to_string(pairs - 1)));
+    rows.most = pairs;
+    search.list(PairRule::max, Listing::both_ways, rows);
+    CHECK(rows.index.size() == static_cast<std::size_t>(pairs));
+    const auto stop = [](std::int32_t i, std::span<const std::int32_t>) {
+      if (i == 1234) throw std::runtime_error("enough");
+    };
+    CHECK_THROWS_WITH(search.visit(PairRule::max, Listing::both_ways, stop), "enough");
+  }
+  omp_set_num_threads(all);
 }
 
 TEST_CASE("more than 2^32 pairs are counted") {
