@@ -16,7 +16,7 @@ namespace {
 // five columns and a place in a tree; Eigen's factors of a matrix beside the matrix itself some 3e9
 // operations a second.
 constexpr double bytes_a_blob = 1000, bytes_a_point = 150, blobs_a_second = 2e5,
-                 operations_a_second = 3e9, seconds_a_step = 1e-3;
+                 operations_a_second = 3e9, points_a_second = 3e5, seconds_a_step = 1e-3;
 
 double generations(const io::Scene& scene, double time) {
   const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
@@ -119,7 +119,9 @@ Cost cost_of(const io::Scene& scene) {
   const bool direct = scene.velocity.method == io::VelocityMethod::direct;
   const double velocities = direct ? 10 * mean * mean / operations_a_second : mean / blobs_a_second;
   const double solves = 4 * panels * panels / operations_a_second;
-  c.seconds = c.setup + c.steps * (seconds_a_step + sums * (velocities + solves));
+  const double pictures = static_cast<double>(scene.output.fields.size()) *
+                          picture_points(scene.output) / points_a_second;
+  c.seconds = c.setup + pictures + c.steps * (seconds_a_step + sums * (velocities + solves));
   return c;
 }
 
@@ -148,12 +150,13 @@ void refuse_beyond(const io::Scene& scene, double memory) {
   if (c.wall_bytes > memory)
     refuse(fmt::format("body.panels is {}; the wall's matrix would take {}", scene.body->panels,
                        size(c.wall_bytes)));
-  if (scene.initial && bytes_a_blob * lattice_blobs(scene) > memory)
-    refuse(
-        fmt::format("initial.spacing {} and cores.sigma_0 {} cut the vortex into {:.3g} blobs of "
-                    "{}",
-                    scene.initial->spacing, scene.cores.sigma_0, lattice_blobs(scene),
-                    size(bytes_a_blob * lattice_blobs(scene))));
+  if (const double most = std::min<double>(blobs_in(memory), most_blobs);
+      scene.initial && lattice_blobs(scene) > most)
+    throw io::InputError(fmt::format(
+        "{}: initial.spacing {} and cores.sigma_0 {} cut the vortex into {:.3g} blobs; this "
+        "machine holds {:.2g}",
+        scene.origin.path.string(), scene.initial->spacing, scene.cores.sigma_0,
+        lattice_blobs(scene), most));
   if (const double picture = bytes_a_point * picture_points(scene.output); picture > memory)
     refuse(fmt::format("output.field_spacing {} makes pictures of {:.2g} points and {}",
                        *scene.output.field_spacing, picture_points(scene.output), size(picture)));

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cost.hpp"
+
 namespace vortree::app {
 namespace {
 
-constexpr std::size_t most_blobs = 20'000'000, many_blobs = 20'000, many_of_late = 5000,
-                      many_a_panel = 100;
+constexpr std::size_t many_blobs = 20'000, many_of_late = 5000, many_a_panel = 100;
 constexpr double most_vorticity = 100;  // of both signs, in U D
 
 }  // namespace

@@ -36,7 +36,7 @@ class Remainder {
 
   void look_at(Number i) {
     const Part& p = parts_[i];
-    candidates_.put(slot_[i], p.x, p.y, std::abs(p.gamma), p.square, p.widening);
+    candidates_.put(slot_[i], limits_.units, p.centre(), std::abs(p.gamma), p.square, p.widening);
   }
   bool crowded() const { return looked_ > std::max(most_looks * parts_.size(), few_looks); }
   double reach_of(std::size_t slot) const;
@@ -99,7 +99,7 @@ double Remainder::reach_of(std::size_t slot) const {
   const float allowed =
       2 * limits_.tolerance / (candidates_.gamma[slot] * candidates_.inverse_cube[slot]);
   const float within = std::sqrt(std::min(limits_.reach2 * candidates_.square[slot], allowed));
-  return 1.00001 * within + farthest_from_home_;
+  return (1.00001 * within + farthest_from_home_) / limits_.units.per_length;
 }
 
 /// The first of these, and as many more as fit a vector and lie close, choose their partners.

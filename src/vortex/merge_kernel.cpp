@@ -108,18 +108,19 @@ Window::Set Window::pair_up() {
   return first;
 }
 
-void Window::look_at(std::span<const std::uint32_t> members, std::span<const Part> parts) {
-  const double x0 = parts[members[0]].x, y0 = parts[members[0]].y;
+void Window::look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
+                     const Limits& limits) {
+  const Vec2 first = parts[members[0]].centre();
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Part& p = parts[members[i]];
-    traits_.put(i, p.x - x0, p.y - y0, std::abs(p.gamma), p.square, p.widening);
+    traits_.put(i, limits.units, p.centre() - first, std::abs(p.gamma), p.square, p.widening);
   }
 }
 
 std::size_t Window::merge(std::span<std::uint32_t> members, std::span<Part> parts,
                           std::span<AtWall> at_wall, const Limits& limits) {
-  const double x0 = parts[members[0]].x, y0 = parts[members[0]].y;
-  look_at(members, parts);
+  const Vec2 first_place = parts[members[0]].centre();
+  look_at(members, parts, limits);
   error_.fill(never);
   partner_.fill(nobody);
   chose_ = 0;
@@ -132,7 +133,8 @@ std::size_t Window::merge(std::span<std::uint32_t> members, std::span<Part> part
     for_each(first, [&](Number i) {
       Part& p = parts[members[i]];
       merge_kernel::merge(p, parts[members[partner_[i]]], at_wall);
-      traits_.put(i, p.x - x0, p.y - y0, std::abs(p.gamma), p.square, p.widening);
+      traits_.put(i, limits.units, p.centre() - first_place, std::abs(p.gamma), p.square,
+                  p.widening);
     });
   }
   std::size_t left = 0;

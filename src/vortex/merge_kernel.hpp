@@ -40,15 +40,27 @@ struct Choice {
   float error = never;
 };
 
+/// Lengths are looked at in widest cores, circulations in tolerances times that, to a power of two:
+/// single precision has too few exponents for the units of every scene.
+struct Units {
+  double per_length = 1, per_circulation = 1;
+
+  explicit Units(const Merging& merging)
+      : per_length(std::exp2(-std::ilogb(merging.sigma_max))),
+        per_circulation(per_length * std::exp2(-std::ilogb(merging.tolerance))) {}
+};
+
 /// What a choice of partners looks at, in single precision: a choice to seven digits is as good,
 /// and twice as many fit a vector.
 struct Limits {
+  Units units;
   float tolerance, reach2, widest2;
 
   explicit Limits(const Merging& merging)
-      : tolerance(static_cast<float>(merging.tolerance)),
+      : units(merging),
+        tolerance(static_cast<float>(merging.tolerance * units.per_circulation / units.per_length)),
         reach2(static_cast<float>(merging.reach * merging.reach)),
-        widest2(static_cast<float>(merging.sigma_max * merging.sigma_max)) {}
+        widest2(static_cast<float>(std::pow(merging.sigma_max * units.per_length, 2))) {}
 };
 
 template <class V>
@@ -96,11 +108,11 @@ struct Columns {
   }
   /// gamma must be positive; too small a one vanishes in single precision, and is kept above it. A
   /// widened tolerance is an error as many times smaller.
-  void put(std::size_t k, double at_x, double at_y, double g, double s2, float widening = 1) {
-    x[k] = static_cast<float>(at_x);
-    y[k] = static_cast<float>(at_y);
-    gamma[k] = std::max(static_cast<float>(g), 1e-30f);
-    square[k] = static_cast<float>(s2);
+  void put(std::size_t k, const Units& units, Vec2 at, double g, double s2, float widening = 1) {
+    x[k] = static_cast<float>(at.x * units.per_length);
+    y[k] = static_cast<float>(at.y * units.per_length);
+    gamma[k] = std::max(static_cast<float>(g * units.per_circulation), 1e-30f);
+    square[k] = static_cast<float>(s2 * units.per_length * units.per_length);
     inverse_cube[k] = 1 / (square[k] * std::sqrt(square[k]) * widening);
     widening2[k] = widening * widening;
   }
@@ -220,7 +232,8 @@ class Window {
   using Number = std::uint8_t;
   static constexpr Number nobody = 0xff;
 
-  void look_at(std::span<const std::uint32_t> members, std::span<const Part> parts);
+  void look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
+               const Limits& limits);
   void choose(const Limits& limits);
   void offer();
   Set pair_up();

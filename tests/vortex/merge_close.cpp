@@ -149,3 +149,27 @@ TEST_CASE("a tolerance of 0 merges nothing and leaves even the order alone") {
   CHECK(merged(blobs, {.tolerance = 0, .sigma_max = 1}) == blobs);
   CHECK(merged(Blobs{}) == Blobs{});
 }
+
+TEST_CASE("blobs merge alike in any units of length and circulation, to the last bit") {
+  const Blobs blobs = test::cloud(2000, 0.02, 0.04);
+  const Blobs fewer = merged(blobs);
+  REQUIRE(fewer.size() < 0.95 * blobs.size());
+  // Powers of two, so that nothing is rounded; some 1e-18 and 1e18 times as much.
+  for (const auto& [length, circulation] : {std::pair{0x1p-60, 1.0}, std::pair{1.0, 0x1p-60},
+                                            std::pair{0x1p60, 1.0}, std::pair{0x1p-30, 0x1p60}}) {
+    const auto scaled = [&](Blobs some) {
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        some.x[i] *= length;
+        some.y[i] *= length;
+        some.sigma[i] *= length;
+        some.gamma[i] *= circulation;
+        some.xx[i] *= length * length;
+        some.xy[i] *= length * length;
+      }
+      return some;
+    };
+    const Merging same{.tolerance = usual.tolerance * circulation / length,
+                       .sigma_max = usual.sigma_max * length};
+    CHECK(merged(scaled(blobs), same) == scaled(fewer));
+  }
+}

@@ -9,6 +9,9 @@
 namespace vortree::vortex::merge_kernel {
 namespace {
 
+const Merging merging{.tolerance = 0.5, .reach = 2, .sigma_max = 0.2};
+const Limits limits(merging);
+
 using Table = Columns<std::vector<float>>;
 
 Blobs cloud(std::size_t n) {
@@ -25,14 +28,12 @@ Table table(const Blobs& blobs) {
   Table t;
   t.resize(blobs.size());
   for (std::size_t i = 0; i < blobs.size(); ++i)
-    t.put(i, blobs.x[i], blobs.y[i], blobs.gamma[i], blobs.sigma[i] * blobs.sigma[i]);
+    t.put(i, limits.units, blobs.centre(i), blobs.gamma[i], blobs.sigma[i] * blobs.sigma[i]);
   return t;
 }
 
-const Merging merging{.tolerance = 0.5, .reach = 2, .sigma_max = 0.2};
-const Limits limits(merging);
-
-/// Error of merging blobs i and j as merge_close.hpp has it, in double.
+/// Error of merging blobs i and j as merge_close.hpp has it, in double, in the units of
+/// the search.
 double plain_error(const Blobs& b, std::size_t i, std::size_t j) {
   const Vec2 d = b.centre(i) - b.centre(j);
   const double d2 = dot(d, d), s = std::min(b.sigma[i], b.sigma[j]);
@@ -41,7 +42,8 @@ double plain_error(const Blobs& b, std::size_t i, std::size_t j) {
   const double cost = w * b.gamma[j] * (d2 + std::abs(si - sj)) / (s * s * s);
   const bool allowed = d2 <= 4 * s * s && cost <= merging.tolerance &&
                        w * si + (1 - w) * sj + w * (1 - w) * d2 <= 0.04;
-  return allowed ? cost : INFINITY;
+  const Units& units = limits.units;
+  return allowed ? cost * units.per_circulation / units.per_length : INFINITY;
 }
 
 double least_error(const Blobs& b, std::size_t i) {
