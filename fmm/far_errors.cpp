@@ -22,9 +22,10 @@ template <class Number>
 std::vector<Charge> sum_families(const Stage& stage, const FarField<Number>& far) {
   const auto cells = stage.tree.cells();
   std::vector<Charge> families(cells.size());
+#pragma omp parallel for schedule(static) if (cells.size() > 2048)
   for (std::size_t c = 0; c < cells.size(); ++c) {
     for (std::uint32_t k = cells[c].children.first; k < cells[c].children.last; ++k) {
-      families[c] = families[c] + far.charge(k);
+      families[c] = families[c] + far.charges()[k];
     }
   }
   return families;
@@ -60,7 +61,7 @@ FarErrors::FarErrors(const Stage& stage, const FarField<Number>& far, const Latt
       for (std::uint32_t k = cells[c].children.first; k < cells[c].children.last; ++k) {
         errors_[k] = family;
         for (const std::uint32_t b : lists.x(k)) {
-          errors_[k] += of_multipole(far.charge(b), side, side_away2 * side * side);
+          errors_[k] += of_multipole(far.charges()[b], side, side_away2 * side * side);
         }
       }
     }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "fmm/charge.hpp"
@@ -48,7 +49,8 @@ class FarField {
     return {local(cell), local(cell) + padded_, tables_.order};
   }
 
-  [[nodiscard]] const Charge& charge(std::size_t cell) const { return charges_[cell]; }
+  /// Of every cell.
+  [[nodiscard]] std::span<const Charge> charges() const { return charges_; }
 
   [[nodiscard]] int order() const { return tables_.order; }
   [[nodiscard]] std::size_t bytes() const {

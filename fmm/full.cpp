@@ -71,7 +71,7 @@ Full::Full(const Blobs& blobs, const Units& units, const Options& options, const
     tell(phase_, "far");
     far.descend(stage());
     errors_ = FarErrors(stage(), far, order_, 0);
-    far_ = std::move(far);
+    charges_ = std::get<FarField<Number>>(far_ = std::move(far)).charges();
   };
   coarse(options_) ? make(float{}) : make(double{});
 }

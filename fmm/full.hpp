@@ -78,9 +78,6 @@ class Full final : public Evaluator {
   template <std::size_t sums>
   [[nodiscard]] Expected expect(tree::Range slab, const Sums<sums>& all, const FarErrors& far,
                                 int derivative) const;
-  [[nodiscard]] const Charge& charge(std::uint32_t cell) const {
-    return std::visit([&](const auto& far) -> const Charge& { return far.charge(cell); }, far_);
-  }
   template <std::size_t sums>
   void add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& to) const;
   template <std::size_t sums>
@@ -116,6 +113,7 @@ class Full final : public Evaluator {
   Lists lists_;
   Slabs slabs_;
   Far far_;
+  std::span<const Charge> charges_;  // of far_
   FarErrors errors_;
   bool serves_ = true;
 };

@@ -132,7 +132,7 @@ Lost Full::lost_far(const FarErrors& errors, const FarField<Number>& far, std::u
     const Frame& at = tree_.frame(c);
     const double dx = std::max(0.0, std::abs(at.x - box.x) - box.half_x);
     const double dy = std::max(0.0, std::abs(at.y - box.y) - box.half_y);
-    lost += errors.of_multipole(far.charge(c), at.side, dx * dx + dy * dy);
+    lost += errors.of_multipole(far.charges()[c], at.side, dx * dx + dy * dy);
   }
   return lost;
 }

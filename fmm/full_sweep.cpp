@@ -118,13 +118,13 @@ void Full::add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& 
 
 /// What the points of a cell meet one by one.
 NearErrors Full::near_errors(std::uint32_t cell) const {
-  NearErrors near{.own = charge(cell).squares,
+  NearErrors near{.own = charges_[cell].squares,
                   .side2 = tree_.frame(cell).side * tree_.frame(cell).side,
                   .points = static_cast<double>(tree_.cells()[cell].points.size())};
   const bool cored = leaves_.cored();
   if (cored) near.own_core = least_core_[cell], near.least_core = Units::largest_core;
   const auto add = [&](std::uint32_t c) {
-    near.squares += charge(c).squares;
+    near.squares += charges_[c].squares;
     if (!cored) return;
     near.least_core = std::min(near.least_core, least_core_[c]);
     near.widest_core = std::max(near.widest_core, core_[c]);
@@ -154,14 +154,16 @@ Expected Full::expect(tree::Range slab, const Sums<sums>& all, const FarErrors& 
     for (std::size_t s = from; s < to; ++s) {
       expected.found += sum_of_squares({all[s] + first, size});
     }
-    const NearErrors near = near_errors(cell);
     Lost lost = far.at(cell);
     for (const std::uint32_t c : lists_.w(leaf)) {
       const double side = tree_.frame(c).side;
-      lost += far.of_multipole(charge(c), side, FarErrors::side_away2 * side * side);
+      lost += far.of_multipole(charges_[c], side, FarErrors::side_away2 * side * side);
     }
-    lost += near.faded(reach2, derivative);
-    if (single) lost += near.rounding(derivative);
+    if (single || leaves_.cored()) {
+      const NearErrors near = near_errors(cell);
+      lost += near.faded(reach2, derivative);
+      if (single) lost += near.rounding(derivative);
+    }
     expected.lost += static_cast<double>(size) * lost;
   }
   return expected;
