@@ -112,19 +112,22 @@ std::size_t length_of(hid_t group, const char* name) {
   return h5::believed_count(h5::open_dataset(group, name), name);
 }
 
+/// Of a file that has just been written: a field that cannot be read back is a failure, no damage.
 void refresh_xdmf(const fs::path& dir) {
-  const h5::Handle file = h5::open_file(fields_path(dir));
+  const fs::path path = fields_path(dir);
   std::vector<FieldLabel> labels;
-  for (const auto& [time, name] : list(file)) {
-    try {
+  try {
+    const h5::Handle file = h5::open_file(path);
+    for (const auto& [index, name] : h5::links(file)) {
       const h5::Handle group = h5::own(H5Gopen2(file, name.c_str(), H5P_DEFAULT), name);
-      labels.push_back({name, time, length_of(group, "y"), length_of(group, "x")});
-    } catch (const h5::NotTheFile&) {
-      throw;
-    } catch (const h5::Failure&) {
-      continue;
+      labels.push_back(
+          {name, h5::read_double(group, "time"), length_of(group, "y"), length_of(group, "x")});
     }
+  } catch (const h5::Failure& failure) {
+    throw std::runtime_error(
+        fmt::format("{} cannot be read back ({})", path.string(), failure.what()));
   }
+  std::ranges::sort(labels, {}, &FieldLabel::time);
   write_derived_text(dir / "fields.xdmf", fields_xdmf_text("fields.h5", labels));
 }
 
