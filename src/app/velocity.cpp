@@ -39,8 +39,8 @@ const bench::Method& method_named(std::string_view name) {
   throw std::invalid_argument("no method \"" + std::string(name) + "\"");
 }
 
-// Beside the columns of the files and the result, which are there; measured at 1e6 and 1e7 vortices
-// and tolerances from 1e-3 to 1e-12 (fmm/README.md).
+// Beside the columns of the files and the result, which are there: what fmm/README.md says that a
+// plan takes.
 constexpr std::uint64_t bytes_a_vortex = 130, bytes_a_target = 40;
 
 void check_memory(const Problem& problem) {
