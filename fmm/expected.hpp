@@ -49,11 +49,6 @@ struct Expected {
   return a.lost.all() * b.found >= b.lost.all() * a.found ? a : b;
 }
 
-[[nodiscard]] inline double sum_of_squares(std::span<const double> values) {
-  double sum = 0.0;
-#pragma omp simd reduction(+ : sum)
-  for (std::size_t i = 0; i < values.size(); ++i) sum += values[i] * values[i];
-  return sum;
-}
+[[nodiscard]] double sum_of_squares(std::span<const double> values);
 
 }  // namespace vortree::fmm

@@ -8,8 +8,8 @@
 
 #include "app/advice_means.hpp"
 #include "app/cost.hpp"
-#include "app/memory.hpp"
 #include "app/timetable.hpp"
+#include "io/free_memory.hpp"
 #include "io/scene_scales.hpp"
 #include "io/scene_sense.hpp"
 
@@ -104,7 +104,7 @@ void doubt_initial(List& list, const io::SceneInitial& i, double core) {
         fmt::format("initial.spacing = {:.2g}: blobs so many cores apart leave gaps, an error of "
                     "{:.1g} of the vorticity from the start; 1 leaves 2e-4",
                     i.spacing, 4 * std::exp(-std::pow(std::numbers::pi / i.spacing, 2))));
-  const double thin = std::min(i.core, i.core_across.value_or(i.core));
+  const double thin = io::least_width(i);
   if (i.kind == io::InitialKind::kirchhoff_ellipse && core > 0.3 * thin)
     list.push_back(
         fmt::format("cores.sigma_0 = {:.3g}: the vortex's edge is as wide, and its half width is "
@@ -129,7 +129,7 @@ void doubt_initial(List& list, const io::SceneInitial& i, double core) {
 
 void doubt_vortex(List& list, const io::Scene& scene) {
   const io::SceneInitial& i = *scene.initial;
-  const double width = std::min(i.core, i.core_across.value_or(i.core));
+  const double width = io::least_width(i);
   const double turn = io::turn_of_vortex(scene);
   const double most = scene.time.scheme == io::TimeScheme::rk4 ? 1 : 0.5;
   if (turn > most)
@@ -155,7 +155,7 @@ std::vector<std::string> doubts(const io::Scene& scene) {
         "initial.centre = [{:.4g}, {:.4g}] lies within the body, where no vorticity can be",
         scene.initial->centre[0], scene.initial->centre[1]));
   if (scene.initial && !scene.body) doubt_vortex(list, scene);
-  for (const auto& more : {doubts_of_means(scene), costly(scene, machine_bytes())})
+  for (const auto& more : {doubts_of_means(scene), costly(scene, io::machine_memory())})
     list.insert(list.end(), more.begin(), more.end());
   return list;
 }

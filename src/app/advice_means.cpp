@@ -13,8 +13,12 @@ namespace {
 
 using List = std::vector<std::string>;
 
-bool spreads(const io::Scene& scene) {
-  return scene.flow.nu > 0 && scene.diffusion.kind == io::DiffusionKind::core_spreading;
+/// What becomes of blobs that do not merge.
+std::string multiplies(const io::Scene& scene) {
+  const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
+  const double widest = scene.cores.sigma_max;
+  return fmt::format("blobs split into {} for each {:.2g} of time", scene.splitting.children,
+                     (1 - alpha2) * widest * widest / (4 * scene.flow.nu));
 }
 
 void doubt_splitting(List& list, const io::Scene& scene) {
@@ -26,6 +30,11 @@ void doubt_splitting(List& list, const io::Scene& scene) {
         "children, {:.3g}, are too wide to merge: blobs will multiply until the run ends; {:.2g} "
         "is right",
         widest, dt, child, std::max(std::sqrt(4 * nu * dt), child)));
+  else if (alpha * alpha > scene.merging.cap)
+    list.push_back(fmt::format(
+        "merging.cap = {:.3g}: children of a split, {:.2g} of sigma_max wide, are too wide to "
+        "merge; {}; 1 to 1.2 is right",
+        scene.merging.cap, alpha, multiplies(scene)));
   if (alpha < 0.5 || alpha > 0.9)
     list.push_back(fmt::format(
         "splitting.alpha = {:.3g}: {}; 0.7 to 0.8 is right", alpha,
@@ -38,19 +47,19 @@ void doubt_splitting(List& list, const io::Scene& scene) {
 void doubt_merging(List& list, const io::Scene& scene, double speed, double right) {
   const double tolerance = scene.merging.tolerance;
   if (tolerance == 0)
-    list.push_back(fmt::format(
-        "merging.tolerance = 0: blobs split and never merge, {} for each {:.2g} of time; {:.2g} "
-        "keeps them few",
-        scene.splitting.children,
-        (1 - scene.splitting.alpha * scene.splitting.alpha) * scene.cores.sigma_max *
-            scene.cores.sigma_max / (4 * scene.flow.nu),
-        right));
+    list.push_back(fmt::format("merging.tolerance = 0: nothing merges; {}; {:.2g} keeps them few",
+                               multiplies(scene), right));
   else if (tolerance > speed)
     list.push_back(fmt::format(
         "merging.tolerance = {:.3g}: a merger may change velocities by more than the flow's own "
         "{:.2g}; {:.2g} is right",
         tolerance, speed, right));
-  if (scene.merging.reach < 0.2)
+  else if (const double more = io::crowding(scene); more > 3)
+    list.push_back(fmt::format(
+        "merging.tolerance = {:.3g}: hardly anything merges; some {:.2g} times as many blobs as "
+        "with {:.2g}, which goes with cores.sigma_max = {:.3g}",
+        tolerance, more, tolerance * more * more, scene.cores.sigma_max));
+  if (scene.merging.reach < 0.5)
     list.push_back(fmt::format(
         "merging.reach = {:.2g}: hardly two blobs lie so few cores apart; they will multiply; 2 "
         "to 3 is right",
@@ -62,15 +71,14 @@ void doubt_merging(List& list, const io::Scene& scene, double speed, double righ
 }
 
 void doubt_spreading(List& list, const io::Scene& scene) {
-  if (!spreads(scene)) return;
+  if (!io::spreads_cores(scene)) return;
   doubt_splitting(list, scene);
   if (scene.body && io::fastest_of(scene) > 0) {
     const double speed = io::fastest_of(scene);
     doubt_merging(list, scene, 0.5 * speed, 0.04 * speed);
   } else if (scene.initial) {
     const io::SceneInitial& i = *scene.initial;
-    const double swirl =
-        io::mean_vorticity(i) * std::min(i.core, i.core_across.value_or(i.core)) / 2;
+    const double swirl = io::mean_vorticity(i) * io::least_width(i) / 2;
     doubt_merging(list, scene, 0.1 * swirl, 4e-4 * swirl);
   }
 }

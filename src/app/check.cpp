@@ -6,9 +6,9 @@
 
 #include "app/advice.hpp"
 #include "app/cost.hpp"
-#include "app/memory.hpp"
 #include "app/places.hpp"
 #include "app/say.hpp"
+#include "io/free_memory.hpp"
 #include "io/quote.hpp"
 #include "io/scene.hpp"
 
@@ -38,7 +38,7 @@ std::string list_cases() {
 
 std::string check(const std::string& scene, const std::vector<std::string>& overrides) {
   const io::Scene loaded = io::load_scene(find_scene(scene), overrides);
-  refuse_beyond(loaded, machine_bytes());
+  refuse_beyond(loaded, io::machine_memory());
   for (const std::string& doubt : doubts(loaded)) say("warning: {}", doubt);
   return io::resolved(loaded);
 }

@@ -26,9 +26,7 @@ double generations(const io::Scene& scene, double time) {
 
 /// How many a blob becomes where nothing merges.
 double multiplied_in(const io::Scene& scene, double time) {
-  const bool splits =
-      scene.flow.nu > 0 && scene.diffusion.kind == io::DiffusionKind::core_spreading;
-  if (!splits || scene.merging.tolerance > 0) return 1;
+  if (!io::spreads_cores(scene) || scene.merging.tolerance > 0) return 1;
   return std::pow(scene.splitting.children, std::floor(generations(scene, time)));
 }
 
@@ -36,7 +34,7 @@ double multiplied_in(const io::Scene& scene, double time) {
 double lattice_blobs(const io::Scene& scene) {
   const io::SceneInitial& i = *scene.initial;
   const double h = i.spacing * scene.cores.sigma_0, s2 = scene.cores.sigma_0 * scene.cores.sigma_0;
-  const double across = i.core_across.value_or(i.core);
+  const double across = io::across(i);
   const double vortices = i.separation ? 2 : 1;
   if (i.kind == io::InitialKind::kirchhoff_ellipse)
     return std::numbers::pi * (i.core + h) * (across + h) / (h * h);
@@ -47,14 +45,14 @@ double lattice_blobs(const io::Scene& scene) {
 double free_blobs(const io::Scene& scene) {
   const io::SceneInitial& i = *scene.initial;
   const double start = lattice_blobs(scene), most2 = scene.cores.sigma_max * scene.cores.sigma_max;
-  if (scene.flow.nu == 0 || scene.diffusion.kind != io::DiffusionKind::core_spreading) return start;
+  if (!io::spreads_cores(scene)) return start;
   if (scene.merging.tolerance == 0) return start * multiplied_in(scene, scene.time.end);
-  const double across = i.core_across.value_or(i.core), vortices = i.separation ? 2 : 1;
+  const double across = io::across(i), vortices = i.separation ? 2 : 1;
   const double spread = 4 * scene.flow.nu * scene.time.end;
   const double area = std::numbers::pi *
                       std::sqrt((i.core * i.core + spread) * (across * across + spread)) *
                       -std::log(i.faintest);
-  return std::max(start, vortices * area / most2);
+  return std::max(start, io::crowding(scene) * vortices * area / most2);
 }
 
 /// Boundary layer and wake, cut off by the box, thinned by coarsening.
@@ -76,7 +74,7 @@ double wall_blobs(const io::Scene& scene, double steps) {
   const bool merges = scene.flow.nu > 0 && scene.merging.tolerance > 0;
   if (!merges) return released * multiplied_in(scene, scene.time.end);
   const double most2 = scene.cores.sigma_max * scene.cores.sigma_max;
-  return scene.body->panels + 1.5 * wake_area(scene) / most2;
+  return scene.body->panels + io::crowding(scene) * 1.5 * wake_area(scene) / most2;
 }
 
 double picture_points(const io::SceneOutput& output) {

@@ -20,7 +20,7 @@ namespace vortree::app {
 ///
 /// error  a factor of three for blobs and bytes; of ten for seconds
 struct Cost {
-  double steps, blobs, wall_bytes, bytes, setup, seconds;
+  double steps = 0, blobs = 0, wall_bytes = 0, bytes = 0, setup = 0, seconds = 0;
 };
 Cost cost_of(const io::Scene& scene);
 

@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include "app/cost.hpp"
-#include "app/memory.hpp"
+#include "io/free_memory.hpp"
+#include "io/scene_scales.hpp"
 #include "vortex/lattice.hpp"
 #include "vortex/outline.hpp"
 
@@ -125,7 +126,8 @@ FlowCase flow_case(const io::Scene& scene) {
       .wall = made.wall.get(),
       .velocity = made.velocity.get(),
   };
-  made.held_blobs = blobs_in(machine_bytes());
+  made.crowding = io::crowding(scene);
+  made.held_blobs = blobs_in(io::machine_memory());
   made.step_to(0);
   return made;
 }

@@ -30,6 +30,7 @@ struct FlowCase {
   Origin origin;
   std::optional<vortex::Box> box;  // of [merging], in the scene
   std::size_t held_blobs = 0;      // by the machine's memory
+  double crowding = 1;             // io::crowding: how many times the usual number of blobs
 
   /// For a step from the problem's time to this one.
   void step_to(double time);

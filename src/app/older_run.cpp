@@ -21,6 +21,11 @@ bool has_rows(const fs::path& table) {
   return std::getline(in, names) && std::getline(in, row);
 }
 
+[[noreturn]] void refuse_older(const fs::path& file) {
+  throw io::InputError(fmt::format(
+      "{} is there already: --overwrite replaces it, --out DIR leaves it alone", file.string()));
+}
+
 /// What frames.h5 holds, in words; nothing if it is healthy and has no frame yet.
 std::optional<std::string> frames_in(const fs::path& file) {
   try {
@@ -53,17 +58,11 @@ void refuse_older_run(const fs::path& folder) {
   for (const char* name : {"report.csv", "wall.csv", "energy.csv"})
     refuse_older_table(folder / name);
   for (const char* name : {"summary.json", "fields.h5"})
-    if (fs::is_regular_file(folder / name))
-      throw io::InputError(
-          fmt::format("{} is there already: --overwrite replaces it, --out DIR "
-                      "leaves it alone",
-                      (folder / name).string()));
+    if (fs::is_regular_file(folder / name)) refuse_older(folder / name);
 }
 
 void refuse_older_table(const fs::path& table) {
-  if (has_rows(table))
-    throw io::InputError(fmt::format(
-        "{} is there already: --overwrite replaces it, --out DIR leaves it alone", table.string()));
+  if (has_rows(table)) refuse_older(table);
 }
 
 }  // namespace vortree::app

@@ -10,7 +10,6 @@
 #include "app/clock.hpp"
 #include "app/cost.hpp"
 #include "app/flow_case.hpp"
-#include "app/memory.hpp"
 #include "app/older_run.hpp"
 #include "app/outcome.hpp"
 #include "app/output_folder.hpp"
@@ -26,6 +25,7 @@
 #include "app/summary.hpp"
 #include "app/timetable.hpp"
 #include "io/frames.hpp"
+#include "io/free_memory.hpp"
 #include "io/json.hpp"
 #include "io/quote.hpp"
 
@@ -312,7 +312,7 @@ io::Scene scene_of(const RunOptions& options) {
   const fs::path file = find_scene(options.scene);
   io::Scene scene = io::load_scene(file, options.overrides);
   if (!options.resume || !scene.origin.step_chosen) return scene;
-  const std::string was = io::read_last_good(options.out / "frames.h5").info.resolved;
+  const std::string was = io::info_of_frames(options.out / "frames.h5").resolved;
   std::vector<std::string> overrides = options.overrides;
   overrides.push_back(fmt::format("time.dt={}", io::parse_scene(was, file).time.dt));
   return io::load_scene(file, overrides);
@@ -326,7 +326,7 @@ bool RunResult::passed() const {
 
 RunResult run(const RunOptions& options) {
   io::Scene scene = scene_of(options);
-  refuse_beyond(scene, machine_bytes());
+  refuse_beyond(scene, io::machine_memory());
   const OutputFolder folder(options.out);
   if (!options.resume && !options.overwrite) refuse_older_run(options.out);
   for (const std::string& doubt : doubts(scene)) say("warning: {}", doubt);

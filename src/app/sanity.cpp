@@ -13,6 +13,12 @@ namespace {
 constexpr std::size_t many_blobs = 20'000, many_of_late = 5000, many_a_panel = 100;
 constexpr double most_vorticity = 100;  // of both signs, in U D
 
+/// Whether a step widens blobs so much that their children are too wide to merge.
+bool splits_endlessly(const vortex::Problem& p) {
+  const double alpha2 = p.splitting.alpha * p.splitting.alpha, widest = p.merging.sigma_max;
+  return alpha2 / (1 - alpha2) * 4 * p.flow.nu * p.dt > widest * widest;
+}
+
 }  // namespace
 
 void Growth::add(std::size_t blobs) {
@@ -21,16 +27,20 @@ void Growth::add(std::size_t blobs) {
 }
 
 std::size_t Growth::most(double time) const {
-  const std::size_t ceiling = std::min(most_blobs, flow_.held_blobs), before = counts_.back();
   const vortex::Problem& p = flow_.problem;
+  const auto times = [&](double usual) { return static_cast<std::size_t>(flow_.crowding * usual); };
+  const std::size_t ceiling = std::min(most_blobs, flow_.held_blobs), many = times(many_blobs),
+                    before = counts_.back(), split = p.splitting.children * before;
+  if (!flow_.wall && !splits_endlessly(p))
+    return std::min(ceiling, std::max(many, p.splitting.children * split));
   if (p.merging.tolerance == 0)  // asked for
-    return std::min(ceiling, std::max(many_blobs, p.splitting.children * before));
+    return std::min(ceiling, std::max(many_blobs, split));
   if (flow_.wall && time < 10.5 * p.dt)
     return std::min(ceiling,
-                    std::max(many_blobs, 3 * before + many_a_panel * flow_.wall->panels()));
+                    std::max(many, 3 * before + times(many_a_panel * flow_.wall->panels())));
   const bool settled = counts_.size() == 6 && !(flow_.wall && time < 12.5 * p.dt);
-  const std::size_t soon = std::max(many_blobs, 3 * before),
-                    later = settled ? std::max(many_of_late, 3 * counts_.front()) : soon;
+  const std::size_t soon = std::max(many, 3 * before),
+                    later = settled ? std::max(times(many_of_late), 3 * counts_.front()) : soon;
   return std::min({ceiling, soon, later});
 }
 
@@ -40,9 +50,11 @@ std::string multiplied(std::size_t blobs, std::size_t before, const FlowCase& fl
     return counts + fmt::format("the machine's memory holds {}", flow.held_blobs);
   if (flow.problem.merging.tolerance == 0)
     return counts + "they split and never merge; merging.tolerance above 0 keeps them few";
-  return counts +
-         "they multiply faster than they merge, since a step widens them by more than splitting "
-         "makes up for; larger cores.sigma_max or smaller time.dt";
+  return counts + "they multiply faster than they merge" +
+         (splits_endlessly(flow.problem)
+              ? ", since a step widens them by more than splitting makes up for; larger "
+                "cores.sigma_max or smaller time.dt"
+              : "; larger merging.tolerance or merging.reach, or smaller time.dt");
 }
 
 std::string not_finite(const io::Frame& frame) {

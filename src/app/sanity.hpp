@@ -19,7 +19,10 @@ class Growth {
   /// More multiply faster than they merge: three times as many as before the step and more than
   /// 20 000, or as five steps before and more than 5000 (flows that went well had 1.9 times as
   /// many). In the first ten steps beside a wall, done in parts, 100 for each panel besides (40
-  /// were seen). Never more than the machine's memory holds, or 2e7, minutes a step.
+  /// were seen). In free space, where all may split at once, what two splits of all leave, unless
+  /// the children are too wide to merge. All the numbers as many times larger as the merging
+  /// tolerance leaves more blobs than usual. Never more than the machine's memory holds, or 2e7,
+  /// minutes a step.
   std::size_t most(double time) const;
 
  private:

@@ -143,6 +143,10 @@ void append_frame(const fs::path& dir, const Frame& frame) {
   }
 }
 
+RunInfo info_of_frames(const fs::path& path) {
+  return info_of(path, open_mended(path));
+}
+
 RecoveredFrames read_last_good(const fs::path& path) {
   const MendedFile opened = open_mended(path);
   RunInfo info = info_of(path, opened);
@@ -164,7 +168,7 @@ void visit_frames(const fs::path& path, std::int64_t step,
 
 void rewind_frames(const fs::path& dir, std::int64_t step) {
   const fs::path path = frames_path(dir);
-  const RunInfo info = info_of(path, open_mended(path));
+  const RunInfo info = info_of_frames(path);
   h5::replace_file(path, [&](const fs::path& fresh) {
     write_empty_frames(fresh, info);
     h5::Handle healthy = h5::open_file(fresh, H5F_ACC_RDWR);

@@ -75,6 +75,10 @@ struct RecoveredFrames {
 ///         error: `warning` tells it and `last` may be empty
 [[nodiscard]] RecoveredFrames read_last_good(const std::filesystem::path& file);
 
+/// What the file says of its run, without a look at its frames.
+/// throws  InputError as read_last_good
+[[nodiscard]] RunInfo info_of_frames(const std::filesystem::path& file);
+
 /// Shows the good frames of a file, healthy or not, up to and including `step`, by ascending step.
 /// throws  InputError as read_last_good
 void visit_frames(const std::filesystem::path& file, std::int64_t step,

@@ -78,7 +78,7 @@ Choice past_body(const Scene& scene, double e) {
 
 Choice free_vortex(const Scene& scene, double e) {
   const SceneInitial& i = *scene.initial;
-  const double across = i.core_across.value_or(i.core), width = std::min(i.core, across);
+  const double width = least_width(i);
   const double omega = mean_vorticity(i);
   Choice c{};
   c.sigma_max = 1.2 * width * std::sqrt(e);

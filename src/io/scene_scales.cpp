@@ -18,9 +18,31 @@ double boundary_layer(const Scene& scene) {
   return std::sqrt(scene.flow.nu * length_of(*scene.body) / speed);
 }
 
+double across(const SceneInitial& initial) {
+  return initial.core_across.value_or(initial.core);
+}
+
+double least_width(const SceneInitial& initial) {
+  return std::min(initial.core, across(initial));
+}
+
+bool spreads_cores(const Scene& scene) {
+  return scene.flow.nu > 0 && scene.diffusion.kind == DiffusionKind::core_spreading;
+}
+
+double crowding(const Scene& scene) {
+  const double widest = scene.cores.sigma_max, layer = boundary_layer(scene);
+  double usual = 0;
+  if (layer > 0)
+    usual = 0.1 * fastest_of(scene) * widest / layer;
+  else if (scene.initial)
+    usual = 0.014 * mean_vorticity(*scene.initial) * widest * widest / least_width(*scene.initial);
+  const double tolerance = scene.merging.tolerance;
+  return tolerance > 0 ? std::sqrt(std::clamp(usual / tolerance, 1.0, 1e6)) : 1;
+}
+
 double mean_vorticity(const SceneInitial& initial) {
-  const double across = initial.core_across.value_or(initial.core);
-  return std::abs(initial.circulation) / (std::numbers::pi * initial.core * across);
+  return std::abs(initial.circulation) / (std::numbers::pi * initial.core * across(initial));
 }
 
 double turn_at_wall(const Scene& scene) {
@@ -39,14 +61,14 @@ double turn_at_tip(const Scene& scene) {
   const bool upright = body.across.value_or(0) > body.radius.value_or(INFINITY);
   const Vec2 long_way = upright ? Vec2{std::sin(turned), std::cos(turned)}
                                 : Vec2{std::cos(turned), -std::sin(turned)};
-  const auto across = [&](const Vec2& a) {
+  const auto sideways = [&](const Vec2& a) {
     return std::abs(a[0] * long_way[1] - a[1] * long_way[0]);
   };
-  double speed = across(scene.flow.stream);
+  double speed = sideways(scene.flow.stream);
   if (scene.plunge) {
     const Vec2& way = scene.plunge->direction;
     speed += 2 * std::numbers::pi * scene.plunge->frequency * scene.plunge->amplitude *
-             across(way) / std::hypot(way[0], way[1]);
+             sideways(way) / std::hypot(way[0], way[1]);
   }
   const double half =
       body.chord ? *body.chord / 2 : std::max(*body.radius, body.across.value_or(0));

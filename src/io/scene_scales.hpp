@@ -16,6 +16,19 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 /// sqrt(nu D/U) of the fastest that a body and its stream meet; 0 without viscosity or motion.
 [[nodiscard]] double boundary_layer(const Scene& scene);
 
+/// Half widths of the initial vortex, or of each of two: across it, and the lesser of both.
+[[nodiscard]] double across(const SceneInitial& initial);
+[[nodiscard]] double least_width(const SceneInitial& initial);
+
+/// Blobs widen, and are split: there is viscosity, and it acts by core spreading.
+[[nodiscard]] bool spreads_cores(const Scene& scene);
+
+/// How many times as many blobs merging.tolerance leaves as the one that goes with the cores (past
+/// a body 0.1 U sigma_max/layer, in a free vortex of half width w 0.014 vorticity sigma_max^2/w):
+/// as 1/sqrt(tolerance), 1 to 1000; 1 for 0, with which nothing merges. Tolerances of 1/10, 1/100
+/// and 1/1000 left 3.6, 10 and 31 times as many in a free vortex.
+[[nodiscard]] double crowding(const Scene& scene);
+
 /// Mean vorticity of the initial vortex, or of each of two, without its sign.
 [[nodiscard]] double mean_vorticity(const SceneInitial& initial);
 

@@ -204,8 +204,7 @@ Vec2 half_extent(const SceneBody& body) {
 
 Vec2 half_extent(const SceneInitial& initial) {
   const double cores = initial.kind == InitialKind::kirchhoff_ellipse ? 1 : 3;
-  return {cores * initial.core + 0.5 * initial.separation.value_or(0),
-          cores * initial.core_across.value_or(initial.core)};
+  return {cores * initial.core + 0.5 * initial.separation.value_or(0), cores * across(initial)};
 }
 
 }  // namespace vortree::io

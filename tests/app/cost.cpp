@@ -111,10 +111,9 @@ TEST_CASE("run and check refuse what the machine does not hold, and write nothin
 
 TEST_CASE("a vortex whose blobs multiply ends within a few steps, with its last good frame") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("vortex.toml", gaussian);
   const auto outcome = call("run vortex.toml flow.nu=1 initial.faintest=1e-3", folder);
-  unsetenv("VORTREE_SHARE");
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
   CHECK(outcome.err.find("they multiply faster than they merge") != std::string::npos);

@@ -40,9 +40,8 @@ end = 0.5
 )";
 
 io::Table report_of(const TemporaryFolder& folder, const std::string& arguments) {
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   const auto outcome = call("run " + arguments, folder);
-  unsetenv("VORTREE_SHARE");
   CAPTURE(arguments, outcome.err);
   REQUIRE(outcome.code == 0);
   const std::string out = arguments.substr(arguments.find("--out ") + 6);

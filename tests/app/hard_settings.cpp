@@ -22,6 +22,23 @@ end = 1.0
 frames = 0.5
 )";
 
+const std::string vortex = R"(
+[flow]
+nu = 1e-3
+[initial]
+kind = "lamb_oseen"
+circulation = 1.0
+core = 0.2
+[cores]
+sigma_0 = 0.04
+sigma_max = 0.05
+[merging]
+tolerance = 5e-4
+[time]
+dt = 0.02
+end = 1.0
+)";
+
 std::vector<std::string> doubted(const std::vector<std::string>& overrides) {
   return app::doubts(io::parse_scene(cylinder, "cylinder.toml", overrides));
 }
@@ -54,22 +71,6 @@ TEST_CASE("ten times too large a step, too wide cores and too few panels are eac
 }
 
 TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws, is named") {
-  const std::string vortex = R"(
-[flow]
-nu = 1e-3
-[initial]
-kind = "lamb_oseen"
-circulation = 1.0
-core = 0.2
-[cores]
-sigma_0 = 0.04
-sigma_max = 0.05
-[merging]
-tolerance = 5e-4
-[time]
-dt = 0.02
-end = 1.0
-)";
   const auto doubted_of = [&](const std::vector<std::string>& overrides) {
     return app::doubts(io::parse_scene(vortex, "vortex.toml", overrides));
   };
@@ -79,6 +80,8 @@ end = 1.0
   CHECK(about(doubted_of({"splitting.alpha=0.3"}), "splitting.alpha"));
   CHECK(about(doubted_of({"merging.tolerance=0"}), "merging.tolerance = 0"));
   CHECK(about(doubted_of({"merging.tolerance=1e9"}), "merging.tolerance"));
+  CHECK(about(doubted_of({"merging.tolerance=1e-5"}), "merging.tolerance = 1e-05: hardly"));
+  CHECK(about(doubted_of({"merging.cap=0.33"}), "merging.cap = 0.33"));
   CHECK(about(doubted_of({"merging.cap=0.01"}), "cores.sigma_max = 0.05: one step"));
   CHECK(about(doubted_of({"merging.reach=1e9"}), "merging.reach"));
   CHECK(about(doubted_of({"merging.reach=1e-9"}), "merging.reach"));
@@ -131,12 +134,11 @@ end = 1.0
 TEST_CASE(
     "a hard run is warned of before it starts, and stays finite or leaves its last good frame") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("cylinder.toml", cylinder);
   const std::string hard = GENERATE(values<std::string>(
       {"time.dt=0.5 output.frames=0.5", "cores.sigma_max=0.45", "body.panels=12", "time.dt=1e-1"}));
   const auto outcome = call("run cylinder.toml " + hard, folder);
-  unsetenv("VORTREE_SHARE");
   CAPTURE(hard, outcome.out, outcome.err);
   if (hard != "time.dt=1e-1")
     CHECK(outcome.err.find("vortree: warning: " + hard.substr(0, hard.find('='))) !=
@@ -156,11 +158,10 @@ TEST_CASE(
 
 TEST_CASE("blobs that multiply end the run before they fill the machine") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("cylinder.toml", cylinder);
   const auto outcome = call(
       "run cylinder.toml time.dt=0.1 cores.sigma_max=0.03 cores.sigma_0=0.02 time.end=3", folder);
-  unsetenv("VORTREE_SHARE");
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
   CHECK(outcome.err.find("they multiply faster than they merge") != std::string::npos);
@@ -169,16 +170,27 @@ TEST_CASE("blobs that multiply end the run before they fill the machine") {
 
 TEST_CASE("a run that breaks keeps the state before the step that broke it") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("cylinder.toml", cylinder);
   // A vortex of a thousand U D beside the body has more vorticity than any such flow.
   const auto outcome = call(
       "run cylinder.toml initial.kind=lamb_oseen initial.circulation=1000 initial.core=0.3 "
       "initial.centre=[3,0] initial.faintest=0.1",
       folder);
-  unsetenv("VORTREE_SHARE");
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
   CHECK(outcome.err.find("step 1, t = ") != std::string::npos);
   CHECK(outcome.err.find("the last good frame is that of step 0 in") != std::string::npos);
+}
+
+TEST_CASE("a vortex of which hardly anything merges runs, and is warned of") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  for (const char* override : {"merging.tolerance=2e-6", "merging.cap=0.33", "merging.reach=0.2"}) {
+    const auto outcome = call(std::string("run vortex.toml --overwrite ") + override, folder);
+    CAPTURE(override, outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.find("warning: merging.") != std::string::npos);
+  }
 }

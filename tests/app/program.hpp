@@ -70,6 +70,18 @@ inline Outcome call(const std::string& arguments, const TemporaryFolder& in) {
   return shell("'" VORTREE_PROGRAM "' " + arguments, in);
 }
 
+/// As long as it lives, a shared folder without figure scripts, so that runs are not kept waiting
+/// by their figures.
+class NoFigures {
+ public:
+  explicit NoFigures(const TemporaryFolder& folder) {
+    setenv("VORTREE_SHARE", folder.path().c_str(), 1);
+  }
+  ~NoFigures() { unsetenv("VORTREE_SHARE"); }
+  NoFigures(const NoFigures&) = delete;
+  NoFigures& operator=(const NoFigures&) = delete;
+};
+
 using Vector = std::vector<double>;
 
 inline void write_particles(const fs::path& file,

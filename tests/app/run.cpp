@@ -26,14 +26,6 @@ frames = 1e9
 circulation_max = 1e-9
 )";
 
-// A shared folder without figure scripts, so that runs are not kept waiting by their figures.
-struct NoFigures {
-  explicit NoFigures(const TemporaryFolder& folder) {
-    setenv("VORTREE_SHARE", folder.path().c_str(), 1);
-  }
-  ~NoFigures() { unsetenv("VORTREE_SHARE"); }
-};
-
 // Prints True if two runs wrote the same: all of the last frame, and all of the report but seconds.
 const std::string same_run = R"(
 import csv, h5py, sys

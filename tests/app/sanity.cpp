@@ -14,7 +14,7 @@ namespace {
 app::FlowCase cylinder() {
   return app::flow_case(io::parse_scene(
       "[flow]\nnu = 0.01\nstream = [1.0, 0.0]\n[body]\nradius = 0.5\npanels = 16\n[cores]\n"
-      "sigma_0 = 0.05\nsigma_max = 0.1\n[time]\ndt = 0.05\nend = 10\n",
+      "sigma_0 = 0.05\nsigma_max = 0.1\n[merging]\ntolerance = 0.1\n[time]\ndt = 0.05\nend = 10\n",
       "cylinder.toml"));
 }
 
@@ -67,6 +67,35 @@ TEST_CASE("from 5000 blobs on five steps may leave three times as many, too") {
   CHECK(growth.most(0.55) == 20'000);  // the first steps make many of the first sheet
   growth.add(6'000);
   CHECK(growth.most(5) == 7'800);
+}
+
+TEST_CASE("a tolerance that lets fewer merge may leave more blobs") {
+  auto flow = cylinder();
+  CHECK(flow.crowding == 1);
+  flow.crowding = 10;
+  app::Growth growth(flow);
+  growth.add(6'000);
+  CHECK(growth.most(5) == 200'000);
+  CHECK(growth.most(0.05) == 200'000);
+  for (int k = 0; k < 5; ++k) growth.add(7'000);
+  CHECK(growth.most(5) == 50'000);
+}
+
+TEST_CASE("in free space all may split at once, and twice, unless children are too wide to merge") {
+  const std::string scene =
+      "[flow]\nnu = 1e-3\n[initial]\nkind = \"lamb_oseen\"\ncirculation = 1.0\ncore = "
+      "0.2\n[cores]\n"
+      "sigma_0 = 0.04\nsigma_max = 0.05\n[time]\ndt = 0.02\nend = 1.0\n";
+  const auto most = [&](const std::vector<std::string>& overrides) {
+    const auto flow = app::flow_case(io::parse_scene(scene, "vortex.toml", overrides));
+    app::Growth growth(flow);
+    for (const std::size_t count : {2'000, 2'000, 2'000, 8'000, 8'000, 8'000}) growth.add(count);
+    CHECK_THAT(app::multiplied(200'000, 8'000, flow),
+               Contains(overrides.empty() ? "larger merging.tolerance" : "larger cores.sigma_max"));
+    return growth.most(0.2);
+  };
+  CHECK(most({}) == 16 * 8'000);
+  CHECK(most({"flow.nu=1"}) == 6'000);
 }
 
 TEST_CASE("blobs that never merge, as the scene has it, may all have children in a step") {

@@ -70,11 +70,10 @@ TEST_CASE("orders of a power law are its exponent, and what says nothing has non
 
 TEST_CASE("a sweep runs the list into folders, and measures the order of the time step") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("vortex.toml", lone_vortex);
   const auto outcome = call(
       "run vortex.toml time.scheme=rk4,rk2 time.dt=0.02,0.01,0.005 velocity.method=direct", folder);
-  unsetenv("VORTREE_SHARE");
   CAPTURE(outcome.out, outcome.err);
   CHECK(outcome.code == 0);
   CHECK(fs::exists(folder / "runs/vortex/time.scheme=rk2,time.dt=0.01/summary.json"));
@@ -138,7 +137,7 @@ std::string last_line(const std::string& text) {
 
 TEST_CASE("a sweep of which a run fails or misses its check runs the others, and leaves 1") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("vortex.toml", lone_vortex);
   fs::create_directories(folder / "failing");
   folder.write("failing/time.dt=0.02", "where the folder of a run should be");
@@ -162,12 +161,11 @@ TEST_CASE("a sweep of which a run fails or misses its check runs the others, and
   CAPTURE(again.err);
   CHECK(again.code == 0);
   CHECK(last_line(again.out).starts_with("results in "));
-  unsetenv("VORTREE_SHARE");
 }
 
 TEST_CASE("a sweep that is stopped says where, leaves 1, and goes on from there") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("vortex.toml", lone_vortex);
   const auto stopped =
       shell("'" VORTREE_PROGRAM
@@ -176,7 +174,6 @@ TEST_CASE("a sweep that is stopped says where, leaves 1, and goes on from there"
             " 2>/dev/null\n"
             "kill -INT $!; wait $!",
             folder);
-  unsetenv("VORTREE_SHARE");
   CAPTURE(stopped.err);
   CHECK(stopped.code == 1);
   CHECK(last_line(stopped.err) == "vortree: the sweep has stopped in run 2 of 2");

@@ -86,7 +86,7 @@ TEST_CASE("times that are met raise no doubt; others are named with what comes i
 
 TEST_CASE("what `check` prints of a chosen step runs to the same bits, and meets its end") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("vortex.toml",
                "accuracy = 0.1\n[flow]\nnu = 1e-3\n[initial]\nkind = \"lamb_oseen\"\n"
                "circulation = 1\ncore = 0.2\n[time]\nend = 0.5\n");
@@ -109,5 +109,4 @@ TEST_CASE("what `check` prints of a chosen step runs to the same bits, and meets
   CAPTURE(longer.err);
   CHECK(longer.code == 0);
   CHECK(longer.err.find("time.end = 0.77 is no multiple of time.dt = 0.05") != std::string::npos);
-  unsetenv("VORTREE_SHARE");
 }

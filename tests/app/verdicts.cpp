@@ -78,7 +78,7 @@ TEST_CASE("a cubic through four entries is exact for cubics, and there is none o
 
 TEST_CASE("a run that was too short says so in its summary, and leaves 0") {
   const TemporaryFolder folder;
-  setenv("VORTREE_SHARE", folder.path().c_str(), 1);  // no figures
+  const NoFigures quick(folder);
   folder.write("known.csv", "T,C_D\n2,1\n3,1\n4,1\n5,1\n");
   folder.write("cylinder.toml",
                "accuracy = 0.1\n[flow]\nreynolds = 50\nstream = [1, 0]\n[body]\nradius = 0.5\n"
@@ -100,5 +100,4 @@ TEST_CASE("a run that was too short says so in its summary, and leaves 0") {
   CHECK(both.out.find("check passed: lift_max ") != std::string::npos);
   CHECK(text_of(folder / "both/summary.json").find("\"status\": \"passed\"") != std::string::npos);
   CHECK(call("run cylinder.toml check.blobs_max=1 --out missed", folder).code == 1);
-  unsetenv("VORTREE_SHARE");
 }
