@@ -116,6 +116,9 @@ TEST_CASE("a vortex whose blobs multiply ends within a few steps, with its last 
   const auto outcome = call("run vortex.toml flow.nu=1 initial.faintest=1e-3", folder);
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("they multiply faster than they merge") != std::string::npos);
+  // The count of them or the work of merging them is too much, whichever shows first: the work goes
+  // with the lanes of the machine's registers.
+  CHECK_THAT(outcome.err, Catch::Contains("they multiply faster than they merge") ||
+                              Catch::Contains("crowd in one place"));
   CHECK(outcome.err.find("the last good frame is that of step") != std::string::npos);
 }
