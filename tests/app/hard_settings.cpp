@@ -188,7 +188,8 @@ TEST_CASE("a vortex of which hardly anything merges runs, and is warned of") {
   const NoFigures quick(folder);
   folder.write("vortex.toml", vortex);
   for (const char* override : {"merging.tolerance=2e-6", "merging.cap=0.33", "merging.reach=0.2"}) {
-    const auto outcome = call(std::string("run vortex.toml --overwrite ") + override, folder);
+    const auto outcome =
+        call(std::string("run vortex.toml --overwrite time.end=0.4 ") + override, folder);
     CAPTURE(override, outcome.err);
     CHECK(outcome.code == 0);
     CHECK(outcome.err.find("warning: merging.") != std::string::npos);
