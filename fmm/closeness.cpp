@@ -62,10 +62,12 @@ std::optional<ClosePair> find_close_pair(std::span<const double> x, std::span<co
     for (int k = 0; k < 9; ++k) {
       const std::pair near(at.column + (k / 3 - 1), at.row + (k % 3 - 1));
       // Of places in one square each is looked at once, so that few are.
-      for (const Square& other : std::ranges::equal_range(squares, near, {}, square)) {
-        const double distance = std::hypot(other.x - at.x, other.y - at.y);
+      const auto last = std::ranges::upper_bound(squares, near, {}, square);
+      for (auto other = std::ranges::lower_bound(squares, near, {}, square); other != last;
+           ++other) {
+        const double distance = std::hypot(other->x - at.x, other->y - at.y);
         if (distance > 0.0 && distance < limit) {
-          return ClosePair{std::min(at.index, other.index), std::max(at.index, other.index),
+          return ClosePair{std::min(at.index, other->index), std::max(at.index, other->index),
                            distance};
         }
       }
