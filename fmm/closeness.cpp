@@ -45,8 +45,8 @@ std::vector<Square> sort_places(std::span<const double> x, std::span<const doubl
     squares[i] = {square_of(px, limit), square_of(py, limit), px, py, i};
   }
   std::ranges::sort(squares, {}, [](const Square& at) { return std::tuple(at.key(), at.index); });
-  const auto rest = std::ranges::unique(squares, {}, &Square::key);
-  squares.erase(rest.begin(), rest.end());
+  const auto same = [](const Square& a, const Square& b) { return a.key() == b.key(); };
+  squares.erase(std::unique(squares.begin(), squares.end(), same), squares.end());
   return squares;
 }
 
