@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "fmm/closeness.hpp"
-#include "fmm/units.hpp"
-#include "tree/points.hpp"
-#include "tree/told.hpp"
+#include "fmm/geometry/units.hpp"
+#include "fmm/losses/closeness.hpp"
+#include "tree/base/told.hpp"
+#include "tree/order/points.hpp"
 
 namespace vortree::fmm {
 namespace {

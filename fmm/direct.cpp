@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "fmm/expected.hpp"
-#include "fmm/field.hpp"
-#include "fmm/p2p_kernel.hpp"
-#include "fmm/units.hpp"
+#include "fmm/field/field.hpp"
+#include "fmm/geometry/units.hpp"
+#include "fmm/losses/expected.hpp"
+#include "fmm/near/p2p_kernel.hpp"
 
 namespace vortree::fmm {
 namespace {

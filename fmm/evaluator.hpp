@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fmm/blobs.hpp"
-#include "fmm/expected.hpp"
-#include "tree/quadtree.hpp"
+#include "fmm/losses/expected.hpp"
+#include "tree/build/quadtree.hpp"
 
 namespace vortree::fmm {
 

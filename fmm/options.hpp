@@ -4,9 +4,9 @@
 #include <functional>
 #include <string_view>
 
-#include "fmm/arrangement.hpp"
 #include "fmm/blobs.hpp"
-#include "tree/quadtree.hpp"
+#include "fmm/geometry/arrangement.hpp"
+#include "tree/build/quadtree.hpp"
 
 namespace vortree::fmm {
 

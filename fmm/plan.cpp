@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "fmm/boxes.hpp"
-#include "fmm/full.hpp"
-#include "fmm/multipole_kernel.hpp"
-#include "tree/told.hpp"
+#include "fmm/adaptive/adaptive.hpp"
+#include "fmm/boxes/boxes.hpp"
+#include "fmm/series/multipole_kernel.hpp"
+#include "tree/base/told.hpp"
 
 namespace vortree::fmm {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "fmm/blobs.hpp"
 #include "fmm/evaluator.hpp"
+#include "fmm/geometry/units.hpp"
 #include "fmm/options.hpp"
-#include "fmm/units.hpp"
-#include "tree/quadtree.hpp"
+#include "tree/build/quadtree.hpp"
 
 namespace vortree::fmm {
 
@@ -27,7 +27,7 @@ namespace vortree::fmm {
 ///          Where sums cancel, what is lost is no longer small beside what is left. Every sum adds
 ///          up what it is expected to lose (Expected); if that is more than is promised, it is
 ///          done again with more terms, in doubles, at the price of a new plan of the same blobs
-///          (tests/fmm/cancelling.cpp). round_off is what doubles cannot do better.
+///          (tests/fmm/losses/cancelling.cpp). round_off is what doubles cannot do better.
 ///          Cells meet by series only where no core shows any more: gap >= sqrt(S ln(1/(4
 ///          tolerance))).
 /// method   Method::fmm in O(n). Where wide cores lie among narrow ones, so that most cells would
@@ -72,7 +72,7 @@ class Plan {
   /// throws       std::invalid_argument for cores narrower than 6e-67 extents of the blobs
   /// ux, uy, vx   du/dx, du/dy, dv/dx, as many as targets [1/s]; overwritten
   /// targets      may be the blobs; r = 0 contributes the rotation of the core, nothing if bare
-  /// error        ||.||_2 of all four as for the velocity        (tests/fmm/derivatives.cpp)
+  /// error        ||.||_2 of all four as for the velocity        (tests/fmm/field/derivatives.cpp)
   /// cost         O(n + m) with Method::fmm, O(m log n) with Method::boxes
   void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
                 std::span<double> vx) const;
@@ -86,7 +86,7 @@ class Plan {
   /// psi       as many as targets [m^2/s]; overwritten. Lengths under the logarithm are in the unit
   ///           of the positions
   /// targets   may be the blobs; bare blobs contribute nothing at r = 0
-  /// error     ||.||_2 as for the velocity                       (tests/fmm/derivatives.cpp)
+  /// error     ||.||_2 as for the velocity                       (tests/fmm/field/derivatives.cpp)
   /// throws    std::invalid_argument for cores narrower than 6e-67 or wider than 1e60 extents
   /// cost      as gradient()
   void stream_function(const Targets& targets, std::span<double> psi) const;

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "fmm/arrangement.hpp"
-#include "fmm/core_kernel.hpp"
-#include "fmm/packed.hpp"
-#include "tree/told.hpp"
+#include "fmm/cores/core_kernel.hpp"
+#include "fmm/geometry/arrangement.hpp"
+#include "fmm/near/packed.hpp"
+#include "tree/base/told.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -84,8 +84,7 @@ void check_door(const Blobs& blobs, const Targets& targets, std::span<const doub
                                 " values, the targets are " + std::to_string(targets.size()));
   }
   if (!(tolerance > 0.0 && tolerance < 1.0)) {
-    throw std::invalid_argument("tolerance is " + tree::told(tolerance) +
-                                "; it must be in (0, 1)");
+    throw std::invalid_argument("tolerance is " + tree::told(tolerance) + "; it must be in (0, 1)");
   }
 }
 

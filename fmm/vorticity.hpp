@@ -3,7 +3,7 @@
 #include <span>
 
 #include "fmm/blobs.hpp"
-#include "tree/points.hpp"
+#include "tree/order/points.hpp"
 
 namespace vortree::fmm {
 

@@ -16,7 +16,7 @@ def outline(body):
 
 
 def foil(edge, angle):
-    """NACA 0012 with a rounded trailing edge, as in src/vortex/outline.hpp."""
+    """NACA 0012 with a rounded trailing edge, as in src/body/outline.hpp."""
     x = 0.5 * (1 + np.cos(np.linspace(0, np.pi, 200)))
     y = 0.6 * (0.2969 * np.sqrt(x) + x * (-0.126 + x * (-0.3516 + x * (0.2843 - 0.1036 * x))))
     y = (y + edge * x**4) * np.sqrt((1 - x) / (1 - x + edge / 2))

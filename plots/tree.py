@@ -73,7 +73,7 @@ def last_frame(run):
 
 def childless(x, y, most):
     """Rows of lower left corner and side of the cells that need not split, and what each holds: the
-    smallest square (tree/points.hpp), quartered until none holds more than `most`; where points lie
+    smallest square (tree/order/points.hpp), quartered until none holds more than `most`; where points lie
     in one place, to level 31."""
     cells, waiting = [], [(x.min(), y.min(), max(np.ptp(x), np.ptp(y)) * (1 + 2**-20), 0,
                            np.arange(x.size))]

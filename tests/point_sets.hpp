@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/point_sets.hpp"
+#include "bench/sets/point_sets.hpp"
 
 namespace vortree::test {
 

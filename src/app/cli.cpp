@@ -19,17 +19,17 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "app/bench.hpp"
-#include "app/check.hpp"
-#include "app/memory.hpp"
-#include "app/neighbors.hpp"
-#include "app/places.hpp"
+#include "app/commands/bench.hpp"
+#include "app/commands/check.hpp"
+#include "app/commands/neighbors.hpp"
+#include "app/commands/sweep.hpp"
+#include "app/commands/velocity.hpp"
+#include "app/install_paths.hpp"
+#include "app/loop/run.hpp"
 #include "app/plot.hpp"
-#include "app/run.hpp"
 #include "app/say.hpp"
-#include "app/sweep.hpp"
-#include "app/velocity.hpp"
-#include "io/free_memory.hpp"
+#include "base/free_memory.hpp"
+#include "base/memory.hpp"
 #include "io/input_error.hpp"
 #include "io/quote.hpp"
 
@@ -329,7 +329,7 @@ std::string out_of_memory(const CLI::App& program, const Words& words) {
   }();
   return fmt::format("out of memory: {} took {:.2g} GB and needs more; {:.2g} GB are free", doing,
                      1e-9 * static_cast<double>(peak_bytes()),
-                     1e-9 * static_cast<double>(io::free_memory()));
+                     1e-9 * static_cast<double>(free_memory()));
 }
 
 /// throws  CLI::ParseError: what is wrong, or that only help or the version was asked for

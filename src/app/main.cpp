@@ -1,8 +1,8 @@
 #include <hdf5.h>
 
 #include "app/cli.hpp"
+#include "app/loop/threads.hpp"
 #include "app/surroundings.hpp"
-#include "app/threads.hpp"
 
 int main(int argc, char** argv) {
   vortree::app::bear_surroundings();

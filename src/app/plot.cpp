@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "app/places.hpp"
+#include "app/install_paths.hpp"
 #include "io/input_error.hpp"
 
 extern char** environ;

@@ -9,10 +9,10 @@
 
 namespace vortree::app {
 
-/// A line on standard error, in the program's name. What a terminal would obey is shown as \xNN, what
-/// is longer than some 300 characters loses its middle: names, keys and values of the user stand in
-/// such lines. A terminal that is gone or a pipe that nobody reads must not end a run: what cannot
-/// be said is not said.
+/// A line on standard error, in the program's name. What a terminal would obey is shown as \xNN,
+/// what is longer than some 300 characters loses its middle: names, keys and values of the user
+/// stand in such lines. A terminal that is gone or a pipe that nobody reads must not end a run:
+/// what cannot be said is not said.
 void say_line(std::string_view sentence);
 
 template <class... Values>

@@ -11,8 +11,8 @@ namespace vortree::app {
 void bear_surroundings();
 
 /// Freed memory stays with the program: a step frees and takes megabytes, and fresh pages of the
-/// system cost more than what is computed in them. The benches find it warm, as a flow does. Under a
-/// limit to the address space less is taken ahead.
+/// system cost more than what is computed in them. The benches find it warm, as a flow does. Under
+/// a limit to the address space less is taken ahead.
 void keep_freed_memory();
 
 }  // namespace vortree::app

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "tree/points.hpp"
+#include "tree/order/points.hpp"
 
 namespace vortree::sph {
 

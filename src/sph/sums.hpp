@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "tree/neighbors.hpp"
+#include "tree/neighbors/neighbors.hpp"
 
 namespace vortree::sph {
 

@@ -5,12 +5,12 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "vortex/forces.hpp"
-#include "vortex/in_parts.hpp"
-#include "vortex/near_wake.hpp"
-#include "vortex/particle_exchange.hpp"
-#include "vortex/random_walk.hpp"
-#include "vortex/spread_cores.hpp"
+#include "base/ordered_sum.hpp"
+#include "vortex/transport/particle_exchange.hpp"
+#include "vortex/transport/random_walk.hpp"
+#include "vortex/transport/spread_cores.hpp"
+#include "vortex/wall/forces.hpp"
+#include "vortex/wall/near_wake.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -144,7 +144,7 @@ Wake start(Blobs& blobs, const Problem& p) {
 namespace {
 
 Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& phase) {
-  const Shape* shape = p.wall ? &p.wall->shape() : nullptr;
+  const body::Shape* shape = p.wall ? &p.wall->shape() : nullptr;
   Wake wake;
   phase("convect");
   const bool spreads = p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading;

@@ -6,13 +6,13 @@
 #include <string>
 #include <string_view>
 
-#include "vortex/convect.hpp"
-#include "vortex/invariants.hpp"
-#include "vortex/merge_close.hpp"
-#include "vortex/plunge.hpp"
-#include "vortex/retire.hpp"
-#include "vortex/split_wide.hpp"
-#include "vortex/wall.hpp"
+#include "body/motion.hpp"
+#include "vortex/adapt/merge_close.hpp"
+#include "vortex/adapt/split_wide.hpp"
+#include "vortex/blobs/invariants.hpp"
+#include "vortex/blobs/outflow.hpp"
+#include "vortex/transport/convect.hpp"
+#include "vortex/wall/wall.hpp"
 
 namespace vortree::vortex {
 
@@ -21,7 +21,7 @@ namespace vortree::vortex {
 struct Flow {
   Vec2 stream;
   double nu;
-  Plunge plunge{};
+  body::Plunge plunge{};
 
   /// The stream as the body sees it, and how far that goes in a time dt.
   Vec2 stream_at(double t) const { return stream - plunge.velocity(t); }
@@ -73,7 +73,7 @@ struct Problem {
 ///                 are its rate of change
 /// wall_vorticity  a value a panel [1/s]
 /// pressure        force on the body during the step, in its own frame, per unit density
-///                 [m^3/s^2] (plunge.hpp)
+///                 [m^3/s^2] (motion.hpp)
 /// friction        the same, at the end of the step
 /// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
 /// retired         all that has left the box, to be handed to the next step

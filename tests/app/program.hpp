@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "io/particles.hpp"
+#include "io/tables/particles.hpp"
 
 namespace vortree::test {
 

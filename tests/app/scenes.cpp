@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <regex>
 
-#include "app/places.hpp"
+#include "app/install_paths.hpp"
 #include "app/program.hpp"
 
 using namespace vortree::test;

@@ -26,12 +26,12 @@ TEST_CASE("includes flow with the stream") {
 
 TEST_CASE("an arrow against the stream is named with file, line and reason") {
   const auto includes = vortree::test::includes_in(
-      "tree/quadtree.hpp",
+      "tree/build/quadtree.hpp",
       "#pragma once\n\n#include <vector>\n  #  include \"fmm/plan.hpp\"  // far\n");
   REQUIRE(includes.size() == 2);
   CHECK(vortree::test::objection(includes[0]) == "");
   CHECK(vortree::test::objection(includes[1]) ==
-        "tree/quadtree.hpp:4: includes fmm/plan.hpp: tree must not depend on fmm");
+        "tree/build/quadtree.hpp:4: includes fmm/plan.hpp: tree must not depend on fmm");
 }
 
 TEST_CASE("an include in a comment is no include") {
@@ -42,18 +42,18 @@ TEST_CASE("tree sees the standard library and itself") {
   CHECK(allowed("tree/a.cpp", "#include <vector>"));
   CHECK(allowed("tree/a.cpp", "#include \"tree/a.hpp\""));
   CHECK(allowed("tree/a.cpp", "#include \"a.hpp\""));
-  CHECK_FALSE(allowed("tree/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK_FALSE(allowed("tree/a.cpp", "#include \"vortex/blobs/blobs.hpp\""));
   CHECK_FALSE(allowed("tree/a.cpp", "#include <Eigen/Dense>"));
   CHECK_FALSE(allowed("tree/a.cpp", "#include <hdf5.h>"));
   CHECK_FALSE(allowed("tree/a.cpp", "#include \"../fmm/plan.hpp\""));
   CHECK_FALSE(allowed("tree/a.cpp", "#include <vortree/fmm/plan.hpp>"));
-  CHECK_FALSE(allowed("tree/a.cpp", "#include \"src/io/scene.hpp\""));
+  CHECK_FALSE(allowed("tree/a.cpp", "#include \"src/io/scene/scene.hpp\""));
 }
 
 TEST_CASE("fmm sees the tree, and nothing above it") {
-  CHECK(allowed("fmm/a.cpp", "#include \"tree/quadtree.hpp\""));
+  CHECK(allowed("fmm/a.cpp", "#include \"tree/build/quadtree.hpp\""));
   CHECK(allowed("fmm/a.cpp", "#include <omp.h>"));
-  CHECK_FALSE(allowed("fmm/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK_FALSE(allowed("fmm/a.cpp", "#include \"vortex/blobs/blobs.hpp\""));
   CHECK_FALSE(allowed("fmm/a.cpp", "#include <Eigen/Dense>"));
 }
 
@@ -61,25 +61,25 @@ TEST_CASE("vortex and sph never see each other") {
   CHECK(allowed("src/vortex/a.cpp", "#include \"fmm/plan.hpp\""));
   CHECK(allowed("src/vortex/a.cpp", "#include \"exact/lamb_oseen.hpp\""));
   CHECK(allowed("src/vortex/a.cpp", "#include <Eigen/LU>"));
-  CHECK(allowed("src/sph/a.cpp", "#include \"tree/quadtree.hpp\""));
+  CHECK(allowed("src/sph/a.cpp", "#include \"tree/build/quadtree.hpp\""));
   CHECK_FALSE(allowed("src/vortex/a.cpp", "#include \"sph/kernels.hpp\""));
-  CHECK_FALSE(allowed("src/sph/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK_FALSE(allowed("src/sph/a.cpp", "#include \"vortex/blobs/blobs.hpp\""));
   CHECK_FALSE(allowed("src/sph/a.cpp", "#include \"../vortex/blobs.hpp\""));
   CHECK_FALSE(allowed("src/sph/a.cpp", "#include \"fmm/plan.hpp\""));
-  CHECK_FALSE(allowed("src/vortex/a.cpp", "#include \"io/scene.hpp\""));
+  CHECK_FALSE(allowed("src/vortex/a.cpp", "#include \"io/scene/scene.hpp\""));
   CHECK_FALSE(allowed("src/vortex/a.cpp", "#include <fmt/format.h>"));
 }
 
 TEST_CASE("exact answers stand alone") {
   CHECK(allowed("src/exact/a.cpp", "#include <cmath>"));
-  CHECK_FALSE(allowed("src/exact/a.cpp", "#include \"tree/points.hpp\""));
-  CHECK_FALSE(allowed("src/exact/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK_FALSE(allowed("src/exact/a.cpp", "#include \"tree/order/points.hpp\""));
+  CHECK_FALSE(allowed("src/exact/a.cpp", "#include \"vortex/blobs/blobs.hpp\""));
 }
 
 TEST_CASE("io sees what it stores, but neither the program nor the bench") {
-  CHECK(allowed("src/io/a.cpp", "#include \"vortex/blobs.hpp\""));
+  CHECK(allowed("src/io/a.cpp", "#include \"vortex/blobs/blobs.hpp\""));
   CHECK(allowed("src/io/a.cpp", "#include <toml++/toml.h>"));
-  CHECK_FALSE(allowed("src/io/a.cpp", "#include \"app/run.hpp\""));
+  CHECK_FALSE(allowed("src/io/a.cpp", "#include \"app/loop/run.hpp\""));
   CHECK_FALSE(allowed("src/io/a.cpp", "#include \"sph/kernels.hpp\""));
 }
 

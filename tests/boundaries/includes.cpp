@@ -25,14 +25,27 @@ const std::string anything = "*";
 const std::map<std::string, Permit>& permits() {
   static const std::map<std::string, Permit> permits{
       // Large pages can only be asked of the operating system.
-      {"tree", {{"tree"}, {"sys/mman.h"}}},
-      {"fmm", {{"fmm", "tree"}, {}}},
+      {"tree/base", {{"tree/base"}, {"sys/mman.h"}}},
+      {"tree", {{"tree", "tree/base"}, {}}},
+      {"fmm", {{"fmm", "tree", "tree/base"}, {}}},
+      {"base", {{"base", "tree/base"}, {"sys/", "unistd.h"}}},
+      {"body", {{"body", "base", "tree/base"}, {}}},
       {"exact", {{"exact"}, {}}},
-      {"vortex", {{"vortex", "fmm", "tree", "exact"}, {"Eigen/"}}},
-      {"sph", {{"sph", "tree"}, {"Eigen/"}}},
-      {"io", {{"io", "vortex", "fmm", "tree"}, {anything}}},
-      {"app", {{"app", "bench", "io", "vortex", "sph", "exact", "fmm", "tree"}, {anything}}},
-      {"bench", {{"bench", "app", "io", "vortex", "sph", "exact", "fmm", "tree"}, {anything}}},
+      {"vortex", {{"vortex", "body", "base", "fmm", "tree/base", "tree"}, {"Eigen/"}}},
+      {"sph", {{"sph", "base", "tree", "tree/base"}, {"Eigen/"}}},
+      {"io", {{"io", "base", "tree/base"}, {anything}}},
+      {"setup", {{"setup", "io", "vortex", "body", "base", "tree/base"}, {"fmt/"}}},
+      {"checks", {{"checks", "setup", "io", "exact", "vortex", "body", "base"}, {"fmt/"}}},
+      {"bench", {{"bench", "sph", "fmm", "base", "tree", "tree/base"}, {anything}}},
+      {"app/loop",
+       {{"app", "app/loop", "app/folder", "checks", "setup", "io", "vortex", "body", "base"},
+        {anything}}},
+      {"app/folder", {{"app", "app/folder", "checks", "setup", "io", "base"}, {anything}}},
+      {"app/commands",
+       {{"app", "app/commands", "app/loop", "app/folder", "bench", "checks", "setup", "io", "fmm",
+         "tree", "base"},
+        {anything}}},
+      {"app", {{"app", "app/commands", "app/loop", "io", "fmm", "tree", "base"}, {anything}}},
       {"tests", {{anything}, {anything}}},
       {"cases", {{anything}, {anything}}}};
   return permits;
@@ -61,8 +74,7 @@ std::string destination(const Include& include) {
     return part_of(
         (fs::path(include.file).parent_path() / name).lexically_normal().generic_string());
   }
-  const std::string in_src = part_of("src/" + name);
-  return in_src.empty() ? part_of(name) : in_src;
+  return part_of(name);
 }
 
 std::string why_not(const std::string& part, const Include& include) {
@@ -110,15 +122,11 @@ std::string text_of(const fs::path& path) {
 }  // namespace
 
 std::string part_of(std::string_view file) {
-  if (file.starts_with("src/")) {
-    file.remove_prefix(std::string_view("src/").size());
-    static const std::set<std::string_view> in_src{"exact", "vortex", "sph", "io", "app", "bench"};
-    const std::string_view folder = file.substr(0, file.find('/'));
-    return in_src.contains(folder) ? std::string(folder) : "";
-  }
-  static const std::set<std::string_view> at_top{"tree", "fmm", "tests", "cases"};
-  const std::string_view folder = file.substr(0, file.find('/'));
-  return at_top.contains(folder) ? std::string(folder) : "";
+  if (file.starts_with("src/")) file.remove_prefix(std::string_view("src/").size());
+  std::string longest;
+  for (const auto& [part, permit] : permits())
+    if (file.starts_with(part + "/") && part.size() > longest.size()) longest = part;
+  return longest;
 }
 
 std::vector<Include> includes_in(const std::string& file, std::string_view text) {

@@ -10,7 +10,7 @@ WORD = (1 << 64) - 1
 
 
 class Checksum:
-    """As src/io/checksum.hpp."""
+    """As src/io/frames/checksum.hpp."""
 
     def __init__(self):
         self.value = 0xCBF29CE484222325

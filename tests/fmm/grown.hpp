@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "fmm/deep_tree.hpp"
+#include "fmm/geometry/deep_tree.hpp"
 #include "point_sets.hpp"
-#include "tree/build_reverse.hpp"
-#include "tree/split_rule.hpp"
+#include "tree/build/build_reverse.hpp"
+#include "tree/build/split_rule.hpp"
 
 namespace vortree::test {
 

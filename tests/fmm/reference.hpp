@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fmm/blobs.hpp"
-#include "fmm/p2p_kernel.hpp"
+#include "fmm/near/p2p_kernel.hpp"
 
 namespace vortree::test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fmm/derivatives.hpp"
+#include "fmm/field/derivatives.hpp"
 #include "fmm/plan.hpp"
 #include "fmm/reference.hpp"
 #include "point_sets.hpp"

@@ -3,13 +3,13 @@
 #include <complex>
 #include <vector>
 
-#include "fmm/core_kernel.hpp"
-#include "fmm/multipole_kernel.hpp"
-#include "fmm/multipole_single_kernel.hpp"
-#include "fmm/operators.hpp"
-#include "fmm/p2p_kernel.hpp"
-#include "fmm/p2p_single_kernel.hpp"
+#include "fmm/cores/core_kernel.hpp"
+#include "fmm/near/p2p_kernel.hpp"
+#include "fmm/near/p2p_single_kernel.hpp"
 #include "fmm/reference.hpp"
+#include "fmm/series/multipole_kernel.hpp"
+#include "fmm/series/multipole_single_kernel.hpp"
+#include "fmm/series/specification.hpp"
 #include "point_sets.hpp"
 
 using namespace vortree;

@@ -1,8 +1,8 @@
-#include "io/frames.hpp"
+#include "io/frames/frames.hpp"
 
 #include "input.hpp"
-#include "io/fields.hpp"
-#include "io/read_frames.hpp"
+#include "io/frames/read.hpp"
+#include "io/tables/fields.hpp"
 
 using namespace vortree;
 

@@ -1,4 +1,4 @@
-#include "io/particles.hpp"
+#include "io/tables/particles.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "io/scene.hpp"
+#include "io/scene/scene.hpp"
 
 #include "input.hpp"
 

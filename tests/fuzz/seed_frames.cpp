@@ -1,4 +1,4 @@
-#include "io/frames.hpp"
+#include "io/frames/frames.hpp"
 
 // Usage: seed_frames FOLDER   leaves a frames.h5 of two frames there.
 

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <string>
 
-#include "io/scene_schema.hpp"
+#include "io/scene/schema.hpp"
 
 using namespace vortree::io;
 

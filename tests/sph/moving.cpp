@@ -4,8 +4,8 @@
 
 #include "sph/resolution.hpp"
 #include "tree/clouds.hpp"
+#include "tree/neighbors/verlet_list.hpp"
 #include "tree/pairs.hpp"
-#include "tree/verlet_list.hpp"
 
 using namespace vortree;
 using tree::Listing;

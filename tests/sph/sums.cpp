@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "bench/particle_sets.hpp"
+#include "bench/sets/particle_sets.hpp"
 #include "sph/kernels.hpp"
 
 using namespace vortree;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tree/points.hpp"
+#include "tree/order/points.hpp"
 
 /// Clouds of points to try trees on; every cloud follows from its seed alone.
 namespace vortree::test {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "tree/neighbors.hpp"
+#include "tree/neighbors/neighbors.hpp"
 
 /// What lists of neighbors must hold. To be compiled without fused operations: see
-/// tree/pair_rule.hpp.
+/// tree/neighbors/pair_rule.hpp.
 namespace vortree::test {
 
 using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "bench/periodogram.hpp"
+#include "base/periodogram.hpp"
 #include "flows.hpp"
-#include "vortex/merge_close.hpp"
-#include "vortex/retire.hpp"
-#include "vortex/split_wide.hpp"
+#include "vortex/adapt/merge_close.hpp"
+#include "vortex/adapt/split_wide.hpp"
+#include "vortex/blobs/outflow.hpp"
 #include "vortex/step.hpp"
 
 using namespace vortree;
@@ -53,7 +53,7 @@ TEST_CASE("what is too faint is accounted for, and all else stays as it is") {
 }
 
 TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
-  const vortex::Wall wall(vortex::circle({}, 0.5), 60);
+  const vortex::Wall wall(body::circle({}, 0.5), 60);
   const auto direct = vortex::velocity_by_direct_sum(fmm::Cores::mean);
   const auto moments = [&](double edge) {
     vortex::Problem problem{.flow = {{1, 0}, 0.05},
@@ -101,7 +101,7 @@ TEST_CASE("the widening lets a merger be felt at the body alike, from wherever c
 }
 
 TEST_CASE("beyond where cores widen, wider blobs stay whole, and more of them merge") {
-  const auto wall = vortex::circle({}, 0.5);
+  const auto wall = body::circle({}, 0.5);
   Blobs near = test::layer(3000, 1.2, 0.3, 0.02, 0.06), far = near;
   for (std::size_t i = 0; i < far.size(); ++i) {
     const double r = std::hypot(far.x[i], far.y[i]);
@@ -137,6 +137,6 @@ TEST_CASE("the frequency of a noisy sinusoid, to a hundredth of a bin") {
   const double dt = 0.05, f = 0.1637;
   for (int i = 0; i < 1200; ++i)
     samples.push_back(2 + std::cos(2 * std::numbers::pi * f * dt * i + 1) + 0.1 * uniform());
-  CHECK(bench::dominant_frequency(samples, dt) == Approx(f).margin(0.02 / (1200 * dt)));
-  CHECK_THROWS_AS(bench::power_spectrum(std::vector<double>(7)), std::invalid_argument);
+  CHECK(dominant_frequency(samples, dt) == Approx(f).margin(0.02 / (1200 * dt)));
+  CHECK_THROWS_AS(power_spectrum(std::vector<double>(7)), std::invalid_argument);
 }

@@ -10,7 +10,6 @@
 using namespace vortree;
 using vortex::Blobs;
 using vortex::Problem;
-using vortex::Vec2;
 
 namespace {
 
@@ -48,7 +47,7 @@ double moment_rounding(const Blobs& blobs) {
 }
 
 vortex::Wall cylinder_wall() {
-  return vortex::Wall(vortex::circle({}, 0.5), 200);
+  return vortex::Wall(body::circle({}, 0.5), 200);
 }
 
 Problem problem_of(const vortex::Wall& wall, const vortex::Velocity& velocity) {
@@ -118,7 +117,7 @@ TEST_CASE("an impulsively started cylinder's drag is that of short times to 2 %,
 
 TEST_CASE("by the direct sum the flow past a cylinder stays its own mirror image, without lift") {
   const Run& run = by_direct_sum();
-  const auto shape = vortex::circle({}, 0.5);
+  const auto shape = body::circle({}, 0.5);
   const Blobs blobs = test::acting_there(run.blobs, shape.get());
   CHECK(test::apart(blobs, test::mirrored(blobs)) < 1e-8);  // on the wall, the root of round-off
   for (int k = 1; k <= steps; ++k) {
@@ -144,7 +143,7 @@ TEST_CASE("boxes and direct sum lead to the same drag, until blobs merge with ot
 }
 
 TEST_CASE("no blob's centre enters the cylinder") {
-  const auto shape = vortex::circle({}, 0.5);
+  const auto shape = body::circle({}, 0.5);
   const Blobs& blobs = by_direct_sum().blobs;
   for (std::size_t i = 0; i < blobs.size(); ++i)
     CHECK(shape->nearest(blobs.centre(i)).distance > -1e-14);

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
-#include "vortex/vec2.hpp"
-#include "vortex/wall.hpp"
+#include "base/vec2.hpp"
+#include "vortex/wall/wall.hpp"
 
 /// Potential flow around a circle at the origin in closed form: the twin of every sheet.
 namespace vortree::test {
@@ -14,10 +14,10 @@ namespace vortree::test {
 using Complex = std::complex<double>;
 inline constexpr Complex i_unit{0, 1};
 
-inline Complex complex(vortex::Vec2 a) {
+inline Complex complex(Vec2 a) {
   return {a.x, a.y};
 }
-inline vortex::Vec2 vec2(Complex z) {
+inline Vec2 vec2(Complex z) {
   return {z.real(), z.imag()};
 }
 
@@ -53,7 +53,7 @@ inline std::vector<double> sheet_of_stream(const vortex::Wall& wall) {
   return wall.sheet(slip, 0);
 }
 
-inline double polar_angle(vortex::Vec2 a) {
+inline double polar_angle(Vec2 a) {
   return std::atan2(a.y, a.x);
 }
 

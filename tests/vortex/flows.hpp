@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "point_sets.hpp"
-#include "vortex/blobs.hpp"
-#include "vortex/invariants.hpp"
+#include "vortex/blobs/blobs.hpp"
+#include "vortex/blobs/invariants.hpp"
 
 /// Flows that claims about the vortex method are tried on, and how two of them are compared.
 namespace vortree::test {
@@ -70,7 +70,7 @@ inline double apart(const vortex::Blobs& a, const vortex::Blobs& b) {
 
 /// Blobs by where they act. On the wall that says less of the centre than of all else: the mean has
 /// its least there, and round-off in it is as the square root in the centre.
-inline vortex::Blobs acting_there(vortex::Blobs blobs, const vortex::Shape* wall) {
+inline vortex::Blobs acting_there(vortex::Blobs blobs, const body::Shape* wall) {
   vortex::Acting at = acting(blobs, wall);
   blobs.x = std::move(at.x);
   blobs.y = std::move(at.y);

@@ -3,9 +3,9 @@
 
 #include "exact/lamb_oseen.hpp"
 #include "flows.hpp"
-#include "vortex/lattice.hpp"
+#include "vortex/blobs/lattice.hpp"
 #include "vortex/step.hpp"
-#include "vortex/vorticity.hpp"
+#include "vortex/wall/vorticity.hpp"
 
 using namespace vortree;
 using vortex::Blobs;

@@ -3,14 +3,13 @@
 #include <complex>
 #include <numbers>
 
+#include "body/outline.hpp"
 #include "cylinder_flow.hpp"
 #include "flows.hpp"
-#include "vortex/forces.hpp"
-#include "vortex/outline.hpp"
-#include "vortex/wall.hpp"
+#include "vortex/wall/forces.hpp"
+#include "vortex/wall/wall.hpp"
 
 using namespace vortree;
-using vortex::Vec2;
 using vortex::Wall;
 
 namespace {
@@ -33,7 +32,7 @@ struct Joukowski {
   double offset = 0.1, gap = 0.1;
   double radius() const { return 1 + offset + gap; }
 
-  vortex::CurvePoint operator()(double t) const {
+  body::CurvePoint operator()(double t) const {
     using test::i_unit;
     const test::Complex spoke = std::polar(radius(), t), w = -offset + spoke;
     const test::Complex d1 = i_unit * spoke, d2 = -spoke;
@@ -66,7 +65,7 @@ double parameter(const Joukowski& section, Vec2 place) {
 /// The largest error of a section's sheet of potential flow.
 double joukowski_error(int panels, double incidence) {
   const Joukowski section;
-  const Wall wall(vortex::outline(section), panels);
+  const Wall wall(body::outline(section), panels);
   const auto sheet = sheet_of(wall, incidence);
   double largest = 0;
   for (std::size_t i = 0; i < wall.panels(); ++i) {
@@ -79,7 +78,7 @@ double joukowski_error(int panels, double incidence) {
 }  // namespace
 
 TEST_CASE("NACA 0012: thickest by 12 % at 0.3 of the chord, closed at both ends") {
-  const auto shape = vortex::naca0012({}, chord, edge, 0);
+  const auto shape = body::naca0012({}, chord, edge, 0);
   const double length_of_wall = shape->perimeter();
   double thickest = 0, where = 0, front = 0, rear = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -105,7 +104,7 @@ TEST_CASE("NACA 0012: thickest by 12 % at 0.3 of the chord, closed at both ends"
 
 TEST_CASE("NACA 0012 as published is that of the trailing edge it has, but for its rounding") {
   const double published = 0.00126;
-  const auto shape = vortex::naca0012({0.5, 0}, 1, published, 0);
+  const auto shape = body::naca0012({0.5, 0}, 1, published, 0);
   for (double x : {0.05, 0.2, 0.5, 0.8, 0.95}) {
     const double y = 0.6 * (0.2969 * std::sqrt(x) - 0.1260 * x - 0.3516 * x * x +
                             0.2843 * x * x * x - 0.1015 * x * x * x * x);
@@ -118,7 +117,7 @@ TEST_CASE("NACA 0012 as published is that of the trailing edge it has, but for i
 TEST_CASE("NACA 0012 turned nose up: its chord points down the stream by the incidence") {
   const double incidence = 0.3;
   const Vec2 centre{0.2, -0.1}, back{std::cos(incidence), -std::sin(incidence)};
-  const auto shape = vortex::naca0012(centre, chord, edge, incidence);
+  const auto shape = body::naca0012(centre, chord, edge, incidence);
   CHECK(std::abs(shape->nearest(centre + (chord / 2) * back).distance) < 1e-12);
   CHECK(std::abs(shape->nearest(centre - (chord / 2) * back).distance) < 1e-12);
   bench::Uniform uniform(4);
@@ -137,8 +136,8 @@ TEST_CASE("NACA 0012 turned nose up: its chord points down the stream by the inc
 
 TEST_CASE("an edge that is too sharp, too blunt or not a number is turned away") {
   for (double bad : {0.0, -0.01, 5e-5, 0.03, double(NAN)})
-    CHECK_THROWS_AS(vortex::naca0012({}, 1, bad, 0), std::invalid_argument);
-  CHECK_THROWS_AS(vortex::naca0012({}, 0, edge, 0), std::invalid_argument);
+    CHECK_THROWS_AS(body::naca0012({}, 1, bad, 0), std::invalid_argument);
+  CHECK_THROWS_AS(body::naca0012({}, 0, edge, 0), std::invalid_argument);
 }
 
 TEST_CASE("the sheet of a rounded Joukowski section is that of its map, to spectral accuracy") {
@@ -154,7 +153,7 @@ TEST_CASE("the sheet of a rounded Joukowski section is that of its map, to spect
 
 TEST_CASE("the sheet of NACA 0012 holds the inside at rest, and no fluid goes through the wall") {
   const double incidence = 0.2;
-  const Wall wall(vortex::naca0012({}, chord, edge, 0), 1000);
+  const Wall wall(body::naca0012({}, chord, edge, 0), 1000);
   const auto sheet = sheet_of(wall, incidence);
   std::vector<double> x{-0.95, -0.5, 0, 0.5, 0.8, 0.9, 0.95}, y{0, 0.05, -0.02, 0, 0.01, 0, 0};
   const std::size_t inside = x.size();
@@ -182,7 +181,7 @@ TEST_CASE("potential flow past NACA 0012 has no drag; its lift is what its circu
   // F = int p n ds with p = -gamma^2/2: the sheet is the flow along the wall.
   const double incidence = 0.1;
   for (double total : {0.0, -0.6}) {
-    const Wall wall(vortex::naca0012({}, chord, edge, 0), 1200);
+    const Wall wall(body::naca0012({}, chord, edge, 0), 1200);
     const auto sheet = sheet_of(wall, incidence, total);
     Vec2 force;
     for (std::size_t i = 0; i < wall.panels(); ++i) {

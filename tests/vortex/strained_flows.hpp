@@ -1,17 +1,17 @@
 #pragma once
 
 #include "flows.hpp"
-#include "vortex/acting.hpp"
+#include "vortex/cores/folded_centroid.hpp"
 
 /// Blobs with strained cores, and a flat wall for them.
 namespace vortree::test {
 
 /// The half plane y < 0 is the body: what claims about a flat wall are exact at.
-class FlatWall final : public vortex::Shape {
+class FlatWall final : public body::Shape {
  public:
   double perimeter() const override { return INFINITY; }
-  vortex::Vec2 point(double arc) const override { return {-arc, 0}; }
-  vortex::WallPoint nearest(vortex::Vec2 at) const override { return {-at.x, at.y, {0, 1}, 0}; }
+  Vec2 point(double arc) const override { return {-arc, 0}; }
+  body::WallPoint nearest(Vec2 at) const override { return {-at.x, at.y, {0, 1}, 0}; }
 };
 
 /// A deviator of any direction, of `part` of the largest that leaves a core its positive variances.

@@ -1,0 +1,194 @@
+#include "fmm/adaptive/adaptive.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "fmm/geometry/vortices.hpp"
+#include "tree/build/split_rule.hpp"
+
+namespace vortree::fmm {
+namespace {
+
+/// Points of a childless cell that near sums and series agree on; the optimum is flat.
+constexpr double even_leaf = 20, even_leaf_fine = 32;
+constexpr double fine_tolerance = 1e-10;
+
+/// Near sums with cores share what a vector of sources costs among the points of a cell.
+constexpr std::uint32_t cored_capacity = 64;
+
+/// Cells of so few points meet cells apart from them point by point rather than by P2L and M2P.
+constexpr std::uint32_t few = 12;
+
+/// Up to so many near sources a target, cores may refuse series.
+constexpr double most_near = 4000;
+
+double leaf_size(const Options& options) {
+  return options.tolerance < fine_tolerance ? even_leaf_fine : even_leaf;
+}
+
+Options resolve(Options options, const Blobs& blobs) {
+  if (options.capacity == 0) {
+    options.capacity =
+        blobs.sigma.empty() ? static_cast<std::uint32_t>(2 * leaf_size(options)) : cored_capacity;
+  }
+  options.tolerance = std::max(options.tolerance, least_tolerance);
+  return options;
+}
+
+LatticeOrder choose_order(const Options& options) {
+  return options.order > 0 ? LatticeOrder::fixed(options.order)
+                           : LatticeOrder::for_tolerance(options.tolerance);
+}
+
+/// The factor in [1, 2) that makes the cells of some level as wide as `wished`.
+double stretch(double side, double wished) {
+  const double ratio = side / wished;
+  if (!(ratio > 1.0) || !std::isfinite(ratio)) return 1.0;
+  return std::exp2(std::ceil(std::log2(ratio))) / ratio;
+}
+
+void tell(const Phase& phase, const char* name) {
+  if (phase) phase(name);
+}
+
+}  // namespace
+
+Full::Full(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase)
+    : options_(resolve(options, blobs)),
+      phase_(phase),
+      units_(units),
+      order_(choose_order(options_)) {
+  tell(phase_, "tree");
+  grow(blobs);
+  list();
+  if (!serves_) return;
+  slabs_ = Slabs(leaves_);
+  tell(phase_, "upward");
+  const auto make = [&]<class Number>(Number) {
+    FarField<Number> far(stage(), TranslationTables<Number>(order_.most, order_.terms));
+    tell(phase_, "far");
+    far.descend(stage());
+    errors_ = FarErrors(stage(), far, order_, 0);
+    charges_ = std::get<FarField<Number>>(far_ = std::move(far)).charges();
+  };
+  coarse(options_) ? make(float{}) : make(double{});
+}
+
+/// The domain is stretched so that evenly spread points fill childless cells to the optimum, or, if
+/// cores reach farther than such a cell, so that cells of a level just hold that reach.
+void Full::grow(const Blobs& blobs) {
+  tree::Domain domain = tree::enclose({blobs.x, blobs.y});
+  double widest = 0.0;
+  for (const double sigma : blobs.sigma) widest = std::max(widest, sigma);
+  const double reach = widest * std::sqrt(core_reach2(options_.tolerance)) * (1 + 1e-9);
+  const double even =
+      domain.side * std::sqrt(leaf_size(options_) / std::max<double>(1.0, blobs.size()));
+  domain = tree::enlarge(domain, stretch(domain.side, std::max(even, reach)));
+  tree::MortonOrder order = tree::morton_order({blobs.x, blobs.y}, domain, options_.finest_level);
+  base_ = build(std::move(order), tree::crowded(options_.capacity), options_.builder);
+  const Unwritten<Vortex> vortices = side_by_side(blobs, units_);
+  tree_ = DeepTree(base_, vortices, units_, options_.capacity,
+                   options_.finest_level == tree::max_level);
+  leaves_ = Leaves(tree_, vortices, widest > 0.0, coarse(options_) ? single_count : lane_count);
+}
+
+void Full::list() {
+  const auto cells = tree_.cells();
+  if (!leaves_.cored()) {
+    lists_ = Lists(tree_, few, {});
+    return;
+  }
+  core_.resize(cells.size());
+  least_core_.resize(cells.size(), Units::largest_core);
+  const auto childless = tree_.childless();
+  for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
+    const auto first = leaves_.points.core.begin() + leaves_.start[leaf];
+    const auto [least, most] = std::minmax_element(first, first + leaves_.size[leaf]);
+    core_[childless[leaf]] = *most, least_core_[childless[leaf]] = *least;
+  }
+  for (std::size_t c = cells.size(); c-- > 1;) {
+    double &most = core_[cells[c].parent], &least = least_core_[cells[c].parent];
+    most = std::max(most, core_[c]), least = std::min(least, least_core_[c]);
+  }
+  const double reach2 = core_reach2(options_.tolerance);
+  lists_ = Lists(tree_, few, [&](std::uint32_t a, std::uint32_t b, double gap) {
+    return reach2 * std::max(core_[a], core_[b]) <= gap * gap;
+  });
+  serves_ = near_pairs() <= most_near * static_cast<double>(leaves_.places());
+}
+
+double Full::near_pairs() const {
+  double pairs = 0.0;  // whole numbers: the same in any order
+#pragma omp parallel reduction(+ : pairs)
+  {
+    std::vector<tree::Range> runs;
+#pragma omp for schedule(static)
+    for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) {
+      near_cells(static_cast<std::uint32_t>(leaf), false, runs);
+      for (const tree::Range run : runs)
+        pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
+    }
+  }
+  return pairs;
+}
+
+Acceptance Full::acceptance(bool cored) const {
+  return {.order = Order::fixed(order_.most),
+          .reach2 = cored ? core_reach2(options_.tolerance) : 0.0,
+          .cores = options_.cores};
+}
+
+FarErrors Full::far_errors(int derivative) const {
+  return std::visit([&](const auto& far) { return FarErrors(stage(), far, order_, derivative); },
+                    far_);
+}
+
+BlobColumns Full::blobs() const {
+  const auto order = tree_.order();
+  BlobColumns all;
+  for (auto* column : {&all.x, &all.y, &all.gamma}) column->resize(order.size());
+  if (leaves_.cored()) all.sigma.resize(order.size());
+  std::size_t j = 0;
+  for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) {
+    for (std::uint32_t k = 0; k < leaves_.size[leaf]; ++k, ++j) {
+      const std::uint32_t from = leaves_.start[leaf] + k, to = order[j];
+      all.x[to] = leaves_.points.x[from] / units_.per_length;
+      all.y[to] = leaves_.points.y[from] / units_.per_length;
+      all.gamma[to] = leaves_.gamma[from] / units_.per_gamma;
+      if (leaves_.cored()) {
+        all.sigma[to] = std::sqrt(leaves_.points.core[from]) / units_.per_length;
+      }
+    }
+  }
+  return all;
+}
+
+Work Full::work() const {
+  Work work{.bare_in_floats = coarse(options_), .cored_in_floats = coarse(options_)};
+  std::vector<tree::Range> runs;
+  for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
+    near_runs(leaf, false, runs);
+    std::uint64_t near = 0;
+    for (const tree::Range run : runs) {
+      // pads do not count
+      const auto first = std::ranges::lower_bound(leaves_.start, run.first);
+      for (auto k = first - leaves_.start.begin(); leaves_.start[k] < run.last; ++k) {
+        near += leaves_.size[k];
+      }
+    }
+    (leaves_.cored() ? work.cored : work.bare) += near * leaves_.size[leaf];
+    work.series += lists_.w(leaf).size();
+  }
+  return work;
+}
+
+std::size_t Full::bytes() const {
+  const std::size_t per_point = sizeof(tree::Key) + sizeof(std::uint32_t);
+  return per_point * base_.order().size() + base_.cells().size_bytes() + tree_.bytes() +
+         leaves_.bytes() + lists_.bytes() +
+         std::visit([](const auto& far) { return far.bytes(); }, far_);
+}
+
+}  // namespace vortree::fmm

@@ -1,0 +1,212 @@
+#include "fmm/lists/lists.hpp"
+
+#include <numeric>
+
+namespace vortree::fmm {
+namespace {
+
+constexpr std::uint32_t alone = 2048;  // cells of a level that one thread had better do alone
+constexpr std::uint32_t portion = 1024;
+
+/// Where the neighbor (dx, dy) of the child in quadrant q is found: in the parent's neighbor
+/// `near`, there in quadrant `quadrant`.
+struct Place {
+  int near, quadrant;
+};
+
+constexpr std::array<std::array<Place, 9>, 4> make_places() {
+  std::array<std::array<Place, 9>, 4> places{};
+  for (int q = 0; q < 4; ++q) {
+    for (int k = 0; k < 9; ++k) {
+      const int x = q % 2 + k % 3 + 1, y = q / 2 + k / 3 + 1;  // in the grid of the nine families
+      places[q][k] = {3 * (y / 2) + x / 2, x % 2 + 2 * (y % 2)};
+    }
+  }
+  return places;
+}
+
+constexpr auto places = make_places();
+
+}  // namespace
+
+Rows::Rows(std::size_t rows, std::span<const std::span<const Entry>> parts) : first_(rows + 2) {
+  // counted two rows ahead, summed, and moved on as the cells go in: in the end one row ahead
+  for (const auto part : parts) {
+    for (const Entry entry : part) ++first_[entry.row + 2];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  cells_.resize(first_.back());
+  for (const auto part : parts) {
+    for (const Entry entry : part) cells_[first_[entry.row + 1]++] = entry.cell;
+  }
+  first_.pop_back();
+}
+
+/// Entries of the rows, as some cells find them.
+struct Lists::Found {
+  std::vector<Rows::Entry> x, w, x_met, finer, refused;
+};
+
+Lists::Lists(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
+  if (tree.cells().empty()) return;
+  find_kin(tree);
+  find_neighbors(tree, hidden);
+  find_meetings(tree, few, hidden);
+}
+
+void Lists::find_kin(const DeepTree& tree) {
+  const auto cells = tree.cells();
+  const auto childless = tree.childless();
+  const auto count = static_cast<std::uint32_t>(cells.size());
+  children_.resize(count);
+  leaves_.resize(count);
+  level_.resize(count);
+  marks_.resize(count);
+#pragma omp parallel for schedule(static) if (count > alone)
+  for (std::uint32_t c = 0; c < count; ++c) {
+    level_[c] = static_cast<std::uint8_t>(cells[c].level);
+    marks_[c] = static_cast<std::uint16_t>(cells[c].childless() << childless_bit);
+    children_[c].fill(nobody);
+    for (std::uint32_t k = cells[c].children.first; k < cells[c].children.last; ++k) {
+      children_[c][cells[k].quadrant] = static_cast<std::int32_t>(k);
+    }
+  }
+#pragma omp parallel for schedule(static) if (count > alone)
+  for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
+    leaves_[childless[leaf]] = {leaf, leaf + 1};
+  }
+  for (int level = tree.depth(); level >= 0; --level) {
+    const tree::Range range = tree.level(level);
+#pragma omp parallel for schedule(static) if (range.size() > alone)
+    for (std::uint32_t c = range.first; c < range.last; ++c) {
+      const tree::Range children = cells[c].children;
+      if (children.empty()) continue;
+      leaves_[c] = {leaves_[children.first].first, leaves_[children.last - 1].last};
+    }
+  }
+}
+
+void Lists::find_neighbors(const DeepTree& tree, const Hidden& hidden) {
+  const auto cells = tree.cells();
+  neighbors_.resize(cells.size());
+  neighbors_[0].fill(nobody);
+  neighbors_[0][middle] = 0;
+  for (int level = 0; level <= tree.depth(); ++level) {
+    const tree::Range range = tree.level(level);
+    const double gap = tree.side(level + 1);
+#pragma omp parallel for schedule(static) if (range.size() > alone)
+    for (std::uint32_t c = range.first; c < range.last; ++c) {
+      if (level > 0) find_neighbors_of(tree, c);
+      unsigned marks = marks_[c];
+      for (int k = 0; k < 9; ++k) {
+        const std::int32_t q = neighbors_[c][k];
+        if (q == nobody) continue;
+        if (childless(q)) {
+          marks |= 1u << leafy_bit;
+        } else if (!childless(static_cast<std::int32_t>(c)) &&
+                   (!hidden || hidden(c, static_cast<std::uint32_t>(q), gap))) {
+          marks |= 1u << k;
+        }
+      }
+      marks_[c] = static_cast<std::uint16_t>(marks);
+    }
+  }
+}
+
+void Lists::find_neighbors_of(const DeepTree& tree, std::uint32_t c) {
+  const DeepCell& cell = tree.cells()[c];
+  const auto parent = static_cast<std::uint32_t>(cell.parent);
+  for (int k = 0; k < 9; ++k) {
+    const Place place = places[cell.quadrant][k];
+    std::int32_t near = neighbors_[parent][place.near];
+    if (near != nobody && !childless(near)) {
+      near = open(parent, place.near) ? children_[near][place.quadrant] : nobody;
+    }
+    neighbors_[c][k] = near;
+  }
+}
+
+void Lists::find_meetings(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
+  const auto cells = tree.cells();
+  const auto count = static_cast<std::uint32_t>(cells.size());
+#pragma omp parallel for schedule(static) if (count > alone)
+  for (const std::uint32_t b : tree.childless()) {
+    if (cells[b].points.size() < few) {
+      marks_[b] = static_cast<std::uint16_t>(marks_[b] | 1u << sparse_bit);
+    }
+  }
+  const std::uint32_t portions = (count + portion - 1) / portion;
+  std::vector<Found> some(portions);
+#pragma omp parallel for schedule(dynamic) if (portions > 2)
+  for (std::uint32_t p = 0; p < portions; ++p) {
+    const std::uint32_t end = std::min(count, (p + 1) * portion);
+    for (std::uint32_t c = p * portion; c < end; ++c) look(tree, c, hidden, some[p]);
+  }
+  const std::size_t leaves = tree.childless().size();
+  struct Making {
+    Rows& rows;
+    std::vector<Rows::Entry> Found::*entries;
+    std::size_t count;
+  };
+  const Making makings[] = {{x_, &Found::x, count},
+                            {w_, &Found::w, leaves},
+                            {x_met_, &Found::x_met, count},
+                            {finer_, &Found::finer, leaves},
+                            {refused_, &Found::refused, count}};
+#pragma omp parallel for schedule(dynamic, 1) if (portions > 2)
+  for (const Making& making : makings) {
+    std::vector<std::span<const Rows::Entry>> parts;
+    for (const Found& found : some) parts.emplace_back(found.*making.entries);
+    making.rows = Rows(making.count, parts);
+  }
+}
+
+/// What c meets of its X, of coarser neighbors, and of families that refuse its own.
+void Lists::look(const DeepTree& tree, std::uint32_t c, const Hidden& hidden, Found& found) const {
+  const DeepCell& cell = tree.cells()[c];
+  const Neighbors& own = neighbors_[c];
+  const auto rank = [&](std::int32_t b) { return leaves_[b].first; };
+  const auto number = [](std::int32_t b) { return static_cast<std::uint32_t>(b); };
+  if (!cell.childless()) {
+    for (int k = 0; hidden && k < 9; ++k) {
+      if (own[k] != nobody && !childless(own[k]) && !open(c, k)) {
+        found.refused.push_back({c, number(own[k])});
+      }
+    }
+  } else if (marks_[c] >> leafy_bit & 1) {
+    for (int k = 0; k < 9; ++k) {
+      const std::int32_t b = own[k];
+      if (b == nobody || !childless(b) || level_[b] == level_[c]) continue;
+      if (std::find(own.begin(), own.begin() + k, b) == own.begin() + k) {
+        found.finer.push_back({rank(b), c});
+      }
+    }
+  }
+  if (c == 0 || !(marks_[cell.parent] >> leafy_bit & 1)) return;
+  const Neighbors& parents = neighbors_[cell.parent];
+  for (int k = 0; k < 9; ++k) {
+    const std::int32_t b = parents[k];
+    if (b == nobody || !childless(b)) continue;
+    if (std::ranges::find(own, b) != own.end()) continue;
+    if (std::find(parents.begin(), parents.begin() + k, b) != parents.begin() + k) continue;
+    if (marks_[c] >> sparse_bit & 1) {
+      found.x_met.push_back({c, number(b)});
+      found.finer.push_back({rank(b), c});
+    } else if (!hidden || hidden(c, number(b), tree.side(cell.level))) {
+      found.x.push_back({c, number(b)});
+      found.w.push_back({rank(b), c});
+    } else {
+      found.refused.push_back({c, number(b)});
+      found.refused.push_back({number(b), c});
+    }
+  }
+}
+
+std::size_t Lists::bytes() const {
+  const std::size_t per_cell = sizeof(Neighbors) + sizeof children_[0] + sizeof marks_[0] +
+                               sizeof level_[0] + sizeof leaves_[0];
+  return per_cell * neighbors_.capacity() + x_.bytes() + w_.bytes() + x_met_.bytes() +
+         finer_.bytes() + refused_.bytes();
+}
+
+}  // namespace vortree::fmm

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "fmm/geometry/leaves.hpp"
+#include "fmm/lists/lists.hpp"
+#include "fmm/mutual/mutual_fixed_kernel.hpp"
+#include "fmm/mutual/mutual_kernel.hpp"
+
+namespace vortree::fmm {
+
+/// Near sums of bare vortices in a slab of childless cells: each cell with the members of its U,
+/// both ways at once where both lie in the slab.
+class MutualNear {
+ public:
+  /// coarse   single precision will do: used wherever places fit (mutual_fixed_kernel.hpp); the
+  ///          leaves come in vectors of floats
+  MutualNear(const DeepTree& tree, const Lists& lists, const Leaves& leaves, bool coarse)
+      : tree_(tree), lists_(lists), leaves_(leaves), coarse_(coarse) {}
+
+  /// Adds to u and v (times 2 pi, in the places of leaves) all pairs of U with a target in the
+  /// slab.
+  void add(tree::Range slab, double* u, double* v);
+
+ private:
+  /// The first places of blocks of other cells, of as many as a vector holds.
+  struct Blocks {
+    std::vector<std::uint32_t> inside, outside;  // of the slab
+  };
+  /// All that a cell meets but itself: in doubles, and in fixed point.
+  struct Meeting {
+    Blocks exact, fixed;
+  };
+  /// The points of a cell as the kernel for fixed point wants them; x = (position - x0) * scale.
+  struct Fixed {
+    double x0, y0, x_rest, y_rest, scale;
+    Unwritten<std::int32_t> x, y;
+    Unwritten<float> gamma;
+    Unwritten<Singles> u, v;
+  };
+
+  static constexpr std::uint32_t in_advance = 4;  // cells to ask memory for
+
+  void arrange(std::uint32_t leaf, tree::Range slab, const MutualPoints& points, Meeting& meeting);
+  void meet_exactly(std::uint32_t leaf, const Blocks& others, const MutualPoints& points);
+  void meet_in_fixed(std::uint32_t leaf, const Blocks& others, const MutualPoints& points);
+  void take(std::uint32_t leaf);
+  template <bool both>
+  void meet_block(std::uint32_t leaf, std::uint32_t block, const MutualPoints& points);
+  template <bool both>
+  void mend(std::uint32_t leaf, std::uint32_t block, const MutualPoints& points) const;
+
+  const DeepTree& tree_;
+  const Lists& lists_;
+  const Leaves& leaves_;
+  bool coarse_;
+
+  std::array<Meeting, in_advance + 1> meetings_;
+  Unwritten<Lanes> u_, v_;
+  Fixed room_;
+};
+
+}  // namespace vortree::fmm

@@ -1,0 +1,150 @@
+#include "app/commands/neighbors.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+
+#include "base/clock.hpp"
+#include "base/free_memory.hpp"
+#include "base/memory.hpp"
+#include "bench/measures/neighbor_methods.hpp"
+#include "io/files.hpp"
+#include "io/tables/particles.hpp"
+#include "io/while_reading.hpp"
+#include "tree/cells/home_cells.hpp"
+
+namespace vortree::app {
+namespace {
+
+struct Laps {
+  std::vector<double> tree, search, total;
+};
+
+void search(bench::NeighborMethod& method, const bench::NeighborJob& job, tree::Rows& rows,
+            Laps& laps) {
+  Stopwatch watch;
+  watch.begin("tree");
+  method.build(job);
+  watch.begin("search");
+  method.search(job, rows);
+  watch.end();
+  laps.tree.push_back(watch.seconds("tree"));
+  laps.search.push_back(watch.seconds("search"));
+  laps.total.push_back(watch.seconds("tree") + watch.seconds("search"));
+}
+
+// 64-bit counts, 32-bit numbers of particles.
+io::Particles read_particles(const NeighborsJob& job) {
+  const io::WhileReading reading(job.in);
+  auto particles = io::read_particles(job.in, {.reach = io::Need::required});
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  if (particles.x.size() > most) {
+    throw io::InputError(fmt::format("{}: {} particles; at most {} can be listed", job.in.string(),
+                                     particles.x.size(), most));
+  }
+  // Once for all methods.
+  try {
+    tree::check_particles({particles.x, particles.y}, particles.reach);
+  } catch (const std::invalid_argument& refused) {
+    throw io::InputError(fmt::format("{}: {}", job.in.string(), refused.what()));
+  }
+  return particles;
+}
+
+// How many pairs the free memory holds. Who asks the system for more than that is killed without a
+// word.
+//
+// throws  std::runtime_error with numbers, if it does not even hold the particles
+std::int64_t room_for_pairs(const NeighborsJob& job, const bench::NeighborMaker& maker,
+                            std::size_t n, std::uint64_t free) {
+  const std::uint64_t taken = n * maker.particle_bytes;
+  if (taken > free) {
+    throw std::runtime_error(fmt::format(
+        "{}: the neighbors of {} particles take {:.3g} GB besides their pairs; {:.3g} GB are free",
+        job.in.string(), n, 1e-9 * static_cast<double>(taken), 1e-9 * static_cast<double>(free)));
+  }
+  return static_cast<std::int64_t>(
+      std::min<std::uint64_t>((free - taken) / maker.pair_bytes, INT64_MAX));
+}
+
+// throws  std::runtime_error with numbers, if there are more pairs than memory holds
+Laps search(const NeighborsJob& job, const bench::NeighborMaker& maker,
+            const bench::NeighborJob& asked, tree::Rows& rows) {
+  const auto method = maker.make();
+  Laps laps;
+  const std::uint64_t free = free_memory();
+  rows.most = room_for_pairs(job, maker, asked.points.size(), free);
+  try {
+    for (int k = 0; k < job.repeat; ++k) search(*method, asked, rows, laps);
+  } catch (const std::length_error& refused) {
+    throw std::runtime_error(fmt::format("{}: {}; {:.3g} GB of memory were free", job.in.string(),
+                                         refused.what(), 1e-9 * static_cast<double>(free)));
+  }
+  return laps;
+}
+
+void write_rows(const std::filesystem::path& out, const tree::Rows& rows) {
+  const std::array columns{io::Column{"start", rows.start.span()},
+                           io::Column{"index", rows.index.span()}};
+  io::write_columns(out, columns);
+}
+
+std::string_view name_of(tree::PairRule rule) {
+  constexpr std::array<std::string_view, 3> names{"max", "mean", "own"};
+  return names[static_cast<std::size_t>(rule)];
+}
+
+}  // namespace
+
+std::vector<std::string> neighbor_methods() {
+  std::vector<std::string> names;
+  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
+    names.emplace_back(maker.name);
+  }
+  return names;
+}
+
+io::Json neighbors(const NeighborsJob& job) {
+  if (job.half && job.rule == tree::PairRule::own) {
+    throw std::invalid_argument("--half lists each pair once, but rule own is not symmetric");
+  }
+  const bench::NeighborMaker& maker = bench::neighbor_method(job.method);
+  Stopwatch files;
+  files.begin("io");
+  io::require_writable(job.out, std::array{job.in});
+  const io::Particles particles = read_particles(job);
+  files.end();
+
+  const auto listing = job.half ? tree::Listing::once : tree::Listing::both_ways;
+  const bench::NeighborJob asked{{particles.x, particles.y}, particles.reach, job.rule, listing};
+  tree::Rows rows;
+  const Laps laps = search(job, maker, asked, rows);
+
+  files.begin("io");
+  write_rows(job.out, rows);
+  files.end();
+
+  io::Json report;
+  report["n"] = std::uint64_t{particles.x.size()};
+  report["method"] = job.method;
+  report["builder"] = job.method == "qcg"             ? io::Json("reverse")
+                      : job.method == "leaf-quadtree" ? io::Json("forward")
+                                                      : io::Json();
+  report["threads"] = omp_get_max_threads();
+  report["rule"] = name_of(job.rule);
+  report["half"] = job.half;
+  report["pairs"] = std::uint64_t{rows.index.size()};
+  report["peak_bytes"] = std::uint64_t{peak_bytes()};
+  report["seconds"]["tree"] = median(laps.tree);
+  report["seconds"]["search"] = median(laps.search);
+  report["seconds"]["total"] = median(laps.total);
+  report["seconds"]["io"] = files.seconds("io");
+  return report;
+}
+
+}  // namespace vortree::app

@@ -1,0 +1,195 @@
+#include "app/commands/sweep_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "base/provenance.hpp"
+#include "checks/convergence.hpp"
+#include "io/files.hpp"
+#include "io/tables/table.hpp"
+
+namespace vortree::app {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double number_or_nan(const std::string& word) {
+  return io::number(word).value_or(unknown);
+}
+
+/// Names of all that was held against an answer, in the order of the checks.
+std::vector<std::string> errors_of(std::span<const Member> members) {
+  std::vector<std::string> names;
+  for (const Member& m : members)
+    for (const checks::Verdict& v : m.result.verdicts)
+      if (std::ranges::find(names, v.what) == names.end()) names.push_back(v.what);
+  return names;
+}
+
+/// NaN if it was not.
+double reached(const Member& member, const std::string& what) {
+  for (const checks::Verdict& v : member.result.verdicts)
+    if (v.what == what) return v.reached.value.value_or(unknown);
+  return unknown;
+}
+
+/// The members that differ in their last value alone, as [first, last).
+std::vector<std::pair<std::size_t, std::size_t>> groups(const SweepPlan& plan, std::size_t n) {
+  const std::size_t size = plan.axes.back().values.size();
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  for (std::size_t first = 0; first < n; first += size)
+    result.emplace_back(first, std::min(first + size, n));
+  return result;
+}
+
+struct Curve {
+  std::vector<double> h, e;
+};
+
+Curve curve(std::span<const Member> members, const std::string& what) {
+  Curve c;
+  for (const Member& m : members) {
+    c.h.push_back(number_or_nan(m.values.back()));
+    c.e.push_back(reached(m, what));
+  }
+  return c;
+}
+
+/// Of a number that is finite; a gap for others.
+std::string text(double number, const char* digits) {
+  return std::isfinite(number) ? fmt::format(fmt::runtime(digits), number) : "";
+}
+
+using Cells = std::vector<std::string>;
+
+Cells row_of(const Member& m, std::span<const std::string> errors,
+             std::span<const std::vector<double>> order, std::size_t i) {
+  Cells row = m.values;
+  const RunResult& r = m.result;
+  if (m.failure.empty())
+    row.insert(row.end(), {fmt::format("{}", r.steps), fmt::format("{}", r.most_blobs),
+                           fmt::format("{:.3g}", r.seconds)});
+  else
+    row.insert(row.end(), {"failed", "", ""});
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    row.insert(row.end(), {text(reached(m, errors[k]), "{:.3g}"), text(order[k][i], "{:.2f}")});
+  return row;
+}
+
+/// The orders that fit all of a group; nothing where there is none.
+Cells fitted_row(std::span<const Member> group, std::span<const std::string> errors,
+                 std::size_t axes) {
+  Cells fitted(axes + 3 + 2 * errors.size());
+  bool any = false;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    const Curve c = curve(group, errors[k]);
+    const double order = group.size() < 3 ? unknown : checks::fitted_order(c.h, c.e);
+    fitted[axes + 4 + 2 * k] = text(order, "{:.2f}");
+    any = any || std::isfinite(order);
+  }
+  fitted[axes - 1] = "all";
+  return any ? fitted : Cells{};
+}
+
+/// Words that hold a comma are quoted.
+std::string cell(const std::string& word) {
+  return word.find(',') == std::string::npos ? word : fmt::format("'{}'", word);
+}
+
+/// `drag_max 0.03 of 0.02, ...` of what was missed.
+std::string missed(const Member& m) {
+  Cells words;
+  for (const checks::Verdict& v : m.result.verdicts)
+    if (v.missed())
+      words.push_back(fmt::format(
+          "{} {} of {:.3g}", v.what,
+          std::isfinite(*v.reached.value) ? fmt::format("{:.3g}", *v.reached.value) : "not finite",
+          v.asked));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> overrides_of(const SweepPlan& plan, const Member& member) {
+  std::vector<std::string> overrides;
+  for (std::size_t k = 0; k < plan.axes.size(); ++k)
+    overrides.push_back(plan.axes[k].key + "=" + member.values[k]);
+  return overrides;
+}
+
+std::string name_of(const SweepPlan& plan, const Member& member) {
+  return fmt::format("{}", fmt::join(overrides_of(plan, member), " "));
+}
+
+std::string table(const SweepPlan& plan, std::span<const Member> members) {
+  const Cells errors = errors_of(members);
+  Cells headings;
+  for (const Axis& axis : plan.axes) headings.push_back(axis.key);
+  headings.insert(headings.end(), {"steps", "blobs", "seconds"});
+  for (const std::string& what : errors) headings.insert(headings.end(), {what, "order"});
+  std::vector<Cells> rows;
+  for (const auto& [first, last] : groups(plan, members.size())) {
+    const auto group = members.subspan(first, last - first);
+    std::vector<std::vector<double>> order;
+    for (const std::string& what : errors) {
+      const Curve c = curve(group, what);
+      order.push_back(checks::orders(c.h, c.e));
+    }
+    for (std::size_t i = 0; i < group.size(); ++i)
+      rows.push_back(row_of(group[i], errors, order, i));
+    Cells fitted = fitted_row(group, errors, plan.axes.size());
+    if (!fitted.empty()) rows.push_back(std::move(fitted));
+  }
+  return checks::text_table(headings, rows);
+}
+
+void write_csv(const std::filesystem::path& file, const RunOptions& options, const SweepPlan& plan,
+               std::span<const Member> members) {
+  std::ostringstream out;
+  const Cells errors = errors_of(members);
+  out << fmt::format("# scene: {} {}\n", options.scene, fmt::join(plan.fixed, " "));
+  for (const std::string& line : provenance()) out << "# " << line << "\n";
+  const auto ran = std::ranges::find_if(members, [](const Member& m) { return m.failure.empty(); });
+  if (ran != members.end())
+    for (const checks::Verdict& v : ran->result.verdicts)
+      out << fmt::format("# asked: {} {}\n", v.what, v.asked);
+  for (const Axis& axis : plan.axes) out << axis.key << ",";
+  out << fmt::format("steps,blobs,particle_steps,seconds{}{}\n", errors.empty() ? "" : ",",
+                     fmt::join(errors, ","));
+  for (const Member& m : members) {
+    for (const std::string& value : m.values) out << cell(value) << ",";
+    const RunResult& r = m.result;
+    if (m.failure.empty())
+      out << fmt::format("{},{},{},{}", r.steps, r.most_blobs, r.particle_steps, r.seconds);
+    else
+      out << ",,,";
+    for (const std::string& what : errors) out << "," << text(reached(m, what), "{}");
+    out << "\n";
+  }
+  io::write_text(file, out.str());
+}
+
+std::string what_went_wrong(const SweepPlan& plan, std::span<const Member> members) {
+  constexpr std::size_t told = 3;
+  Cells words;
+  std::size_t failed = 0, wrong = 0;
+  for (const Member& m : members) {
+    const std::string why = m.failure.empty() ? missed(m) : m.failure;
+    if (why.empty()) continue;
+    failed += !m.failure.empty();
+    if (++wrong <= told)
+      words.push_back(fmt::format("{} {}: {}", name_of(plan, m),
+                                  m.failure.empty() ? "missed its check" : "failed", why));
+  }
+  if (wrong == 0) return "";
+  if (wrong > told) words.push_back(fmt::format("and {} more", wrong - told));
+  return fmt::format("{} of {} runs failed, {} missed their checks: {}", failed, members.size(),
+                     wrong - failed, fmt::join(words, "; "));
+}
+
+}  // namespace vortree::app

@@ -1,0 +1,172 @@
+#include "app/commands/velocity.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+
+#include "base/clock.hpp"
+#include "base/free_memory.hpp"
+#include "base/memory.hpp"
+#include "bench/measures/accuracy.hpp"
+#include "bench/measures/methods.hpp"
+#include "io/files.hpp"
+#include "io/tables/particles.hpp"
+#include "io/while_reading.hpp"
+
+namespace vortree::app {
+namespace {
+
+struct Problem {
+  io::Particles sources, targets;
+  bool elsewhere = false;  // the targets are not the sources themselves
+  std::vector<double> u, v;
+
+  fmm::Blobs blobs() const { return {sources.x, sources.y, sources.gamma, sources.sigma}; }
+  fmm::Targets points() const {
+    const auto& at = elsewhere ? targets : sources;
+    return {at.x, at.y, {}};
+  }
+};
+
+const bench::Method& method_named(std::string_view name) {
+  const auto found = std::ranges::find(bench::methods(), name, &bench::Method::name);
+  if (found != bench::methods().end()) return *found;
+  throw std::invalid_argument("no method \"" + std::string(name) + "\"");
+}
+
+// Beside the columns of the files and the result, which are there: what fmm/README.md says that a
+// plan takes.
+constexpr std::uint64_t bytes_a_vortex = 130, bytes_a_target = 40;
+
+void check_memory(const Problem& problem) {
+  const std::uint64_t n = problem.sources.x.size(), m = problem.elsewhere ? problem.u.size() : 0;
+  const std::uint64_t needed = bytes_a_vortex * n + bytes_a_target * m, left = free_memory();
+  if (needed <= left) return;
+  throw std::runtime_error(
+      fmt::format("{} vortices and {} targets need some {:.1f} GB of memory, {:.1f} GB are free", n,
+                  m, 1e-9 * static_cast<double>(needed), 1e-9 * static_cast<double>(left)));
+}
+
+// Sums once: the result into the problem, the time into the stopwatch.
+bench::Account sum(Problem& problem, const VelocityJob& job, Stopwatch& watch) {
+  const auto phase = [&watch](std::string_view name) { watch.begin(name); };
+  return method_named(job.method)
+      .sum({problem.blobs(), problem.points(), problem.elsewhere, problem.u, problem.v},
+           job.options, phase, {.repeated = job.repeat > 1});
+}
+
+template <class Value>
+io::Json if_any(const std::optional<Value>& value) {
+  return value ? io::Json(*value) : io::Json();
+}
+
+io::Particles read(const std::filesystem::path& file, io::Columns columns) {
+  const io::WhileReading reading(file);
+  return io::read_particles(file, columns);
+}
+
+Problem read_problem(const VelocityJob& job) {
+  using enum io::Need;
+  Problem problem;
+  problem.sources = read(job.in, {.gamma = required, .sigma = optional});
+  problem.elsewhere = !job.targets.empty();
+  if (problem.elsewhere) problem.targets = read(job.targets, {});
+  problem.u.resize(problem.points().size());
+  problem.v.resize(problem.points().size());
+  return problem;
+}
+
+void write_result(const std::filesystem::path& out, const Problem& problem) {
+  const std::array columns{io::Column{"u", std::span<const double>(problem.u)},
+                           io::Column{"v", std::span<const double>(problem.v)}};
+  io::write_columns(out, columns);
+}
+
+// Medians of the phases and of their sums. The four phases of a tree code come first, null where a
+// method cannot tell them apart; then what it can tell.
+io::Json median_seconds(const std::vector<Stopwatch>& laps) {
+  io::Json seconds;
+  for (const auto* phase : {"tree", "upward", "far", "near"}) seconds[phase] = {};
+  for (const auto& [phase, ignored] : laps.front().phases()) {
+    std::vector<double> values;
+    for (const Stopwatch& lap : laps) values.push_back(lap.seconds(phase));
+    seconds[phase] = median(values);
+  }
+  std::vector<double> totals;
+  for (const Stopwatch& lap : laps) {
+    totals.push_back(0);
+    for (const auto& [phase, spent] : lap.phases()) totals.back() += spent;
+  }
+  seconds["total"] = median(totals);
+  return seconds;
+}
+
+io::Json error_json(const bench::VelocityError& error) {
+  io::Json members;
+  members["relative_l2"] = error.relative_l2;
+  members["p99"] = error.p99;
+  members["max"] = error.max;
+  members["targets"] = std::uint64_t{error.targets};
+  members["condition"] = error.condition;
+  return members;
+}
+
+// What is promised: the tolerance, or where sums cancel what doubles can hold (fmm::Plan).
+std::optional<std::string> miss(const bench::VelocityError& error, double tolerance) {
+  const double promised = std::max(tolerance, fmm::round_off * error.condition);
+  if (error.relative_l2 <= promised) return std::nullopt;
+  return fmt::format(
+      "the tolerance was missed: the relative L2 error is {:.3g} at {} targets, {:.3g} "
+      "was asked for",
+      error.relative_l2, error.targets, tolerance);
+}
+
+}  // namespace
+
+std::vector<std::string> velocity_methods() {
+  std::vector<std::string> names;
+  for (const bench::Method& method : bench::methods()) names.emplace_back(method.name);
+  return names;
+}
+
+VelocityReport velocity(const VelocityJob& job) {
+  method_named(job.method);
+  Stopwatch files;
+  files.begin("io");
+  io::require_writable(job.out, std::array{job.in, job.targets});
+  Problem problem = read_problem(job);
+  files.end();
+
+  check_memory(problem);
+  std::vector<Stopwatch> laps(job.repeat);
+  bench::Account account;
+  for (Stopwatch& lap : laps) account = sum(problem, job, lap);
+
+  files.begin("io");
+  write_result(job.out, problem);
+  files.end();
+
+  io::Json report;
+  report["n"] = std::uint64_t{problem.blobs().size()};
+  report["method"] = job.method;
+  report["builder"] = if_any(account.builder);
+  report["threads"] = omp_get_max_threads();
+  report["tolerance"] = if_any(account.tolerance);
+  report["order"] = if_any(account.order);
+  report["pairs"] = account.work ? io::Json(account.work->bare + account.work->cored) : io::Json();
+  report["peak_bytes"] = std::uint64_t{peak_bytes()};
+  report["seconds"] = median_seconds(laps);
+  report["seconds"]["io"] = files.seconds("io");
+  if (!job.verify) return {report, {}};
+  const bench::Exact exact = bench::exact_velocity(problem.blobs(), problem.points());
+  const bench::VelocityError error = bench::velocity_error(exact, problem.u, problem.v);
+  report["error"] = error_json(error);
+  return {report, miss(error, job.options.tolerance)};
+}
+
+}  // namespace vortree::app

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "app/folder/run_tables.hpp"
+#include "app/loop/record.hpp"
+#include "io/frames/frames.hpp"
+#include "io/scene/scene.hpp"
+#include "io/tables/fields.hpp"
+#include "setup/flow_case.hpp"
+
+namespace vortree::app {
+
+/// What a run writes into its folder on its way; cases/scenes.md says what the files hold. Scene
+/// and flow are those of the run, which keeps them.
+///
+/// Every frame is a checkpoint, and whatever was written before it is on the disk before it: rows
+/// of the tables and pictures are forced to the disk, then the frame. So after a kill or a power
+/// failure at any moment the last frame that agrees with its checksum has all that belongs before
+/// it; what is later is dropped and made again. frames.xdmf only repeats frames.h5 and is not
+/// waited for. A new run first takes summary.json away, then empties frames.h5, then the rest: no
+/// summary ever stands beside frames of another run.
+class RunFiles {
+ public:
+  RunFiles(const io::Scene& scene, const setup::FlowCase& flow, std::filesystem::path folder);
+
+  /// throws  io::InputError if one of them is an input, or no regular file
+  void require_outputs() const;
+
+  /// Starts them, in place of older ones.
+  void begin();
+
+  /// The frame to go on from; says on standard error what was lost behind it.
+  /// throws  io::InputError if there is none, or if it was run with a scene that differs in more
+  ///         than its end, [output] and [check]
+  [[nodiscard]] io::Frame last_frame() const;
+
+  /// Goes on behind that frame: what is later is dropped, since it will be made again. Says on
+  /// standard error what is lost of what is earlier, or had to be made again.
+  /// throws  io::InputError if a table cannot be made again
+  void resume(const io::Frame& frame);
+
+  void row(const Record& record);
+  void frame(io::Frame frame);
+  void field(const io::Field& field);
+  /// One row for each panel.
+  void wall(double time, std::span<const double> sheet, std::span<const double> vorticity);
+  /// In free space; nothing for more than 20 000 blobs, since the sum is over all pairs.
+  void energy(double time, const vortex::Blobs& blobs);
+
+  /// Forces the last rows to the disk.
+  void end() const { tables_.force(); }
+
+ private:
+  std::vector<double> expected_times(RunTables::Kind kind, long step) const;
+  void resume_fields(const io::Frame& frame);
+
+  const io::Scene& scene_;
+  const setup::FlowCase& flow_;
+  std::filesystem::path folder_;
+  RunTables tables_;
+  std::vector<double> fields_;  ///< times of the pictures so far
+};
+
+}  // namespace vortree::app

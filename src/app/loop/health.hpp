@@ -1,0 +1,46 @@
+#pragma once
+
+#include <deque>
+#include <string>
+
+#include "io/frames/frames.hpp"
+#include "setup/flow_case.hpp"
+
+namespace vortree::app {
+
+/// How many blobs there were after the steps of late, and how many there may be after the next.
+class Growth {
+ public:
+  explicit Growth(const setup::FlowCase& flow) : flow_(flow) {}
+
+  /// After each step, and at the start.
+  void add(std::size_t blobs);
+
+  /// More multiply faster than they merge: three times as many as before the step and more than
+  /// 20 000, or as five steps before and more than 5000 (flows that went well had 1.9 times as
+  /// many). In the first ten steps beside a wall, done in parts, 100 for each panel besides (40
+  /// were seen). In free space, where all may split at once, what two splits of all leave, unless
+  /// the children are too wide to merge. All the numbers as many times larger as the merging
+  /// tolerance leaves more blobs than usual. Never more than the machine's memory holds, or 2e7,
+  /// minutes a step.
+  std::size_t most(double time) const;
+
+ private:
+  const setup::FlowCase& flow_;
+  std::deque<std::size_t> counts_;  // six at most, the oldest first
+};
+
+/// Why a run cannot go on with so many, in words.
+std::string multiplied(std::size_t blobs, std::size_t before, const setup::FlowCase& flow);
+
+/// Why a run cannot go on from these blobs, in words, or nothing:
+///
+/// - a number that is not finite
+/// - beside a body, sum |gamma| beyond 100 U D (and more for each ten diameters of way). An
+///   impulsive start has 4 U D, and a wake gains less than 1 U D a diameter
+std::string broken(const vortex::Blobs& blobs, const setup::FlowCase& flow, double time);
+
+/// Which column of a frame has a number that is not finite, in words, or nothing.
+std::string not_finite(const io::Frame& frame);
+
+}  // namespace vortree::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "checks/checks.hpp"
+
+namespace vortree::app {
+
+struct RunOptions {
+  std::string scene;                   // as the user named it; find_scene() gives the file
+  std::vector<std::string> overrides;  // table.key=value
+  std::filesystem::path out;           // never empty; runs/<scene stem> unless the user chose
+  bool resume = false;
+  bool overwrite = false;  // an older run in `out` may be replaced
+  int threads = 0;         // 0: all; OpenMP is already told
+  bool figures = true;
+};
+
+/// What came of a run.
+///
+/// finished  false: the user stopped it, it can be resumed
+/// seconds   wall time of all its parts
+struct RunResult {
+  bool finished = false;
+  std::vector<checks::Verdict> verdicts{};
+  long steps = 0;
+  double most_blobs = 0, particle_steps = 0, seconds = 0;
+
+  /// It came to its end and missed nothing that was asked and could be seen by then.
+  bool passed() const;
+};
+
+/// Runs a scene from its start, or from the last frame in `out`, to its end; see cases/scenes.md
+/// for what it leaves in `out`.
+///
+/// throws   io::InputError for wrong input (exit code 2); any other exception is a failed run (exit
+/// code 1)
+RunResult run(const RunOptions& options);
+
+}  // namespace vortree::app

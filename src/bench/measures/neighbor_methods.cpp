@@ -1,0 +1,50 @@
+#include "bench/measures/neighbor_methods.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "tree/neighbors/neighbors.hpp"
+
+namespace vortree::bench {
+namespace {
+
+class Qcg : public NeighborMethod {
+ public:
+  void build(const NeighborJob& job) override { search_.place(job.points, job.reach); }
+  void search(const NeighborJob& job, tree::Rows& rows) override {
+    search_.list(job.rule, job.listing, rows);
+  }
+
+ private:
+  tree::Neighbors search_;
+};
+
+constexpr std::array makers{
+    NeighborMaker{"qcg", "quadtree cells grid", false, 120, 5, make_qcg},
+    NeighborMaker{"level-grids", "one grid a level", false, 90, 5, make_level_grids},
+    NeighborMaker{"uniform-grid", "one grid, vector tests", false, 90, 5, make_uniform_grid},
+    NeighborMaker{"linked-list", "linked list, half stencil", false, 30, 16, make_linked_list},
+    NeighborMaker{"leaf-quadtree", "quadtree, one particle a leaf", false, 200, 12,
+                  make_leaf_quadtree},
+    NeighborMaker{"r-tree", "R-tree of Boost", false, 300, 12, make_r_tree},
+    NeighborMaker{"all-pairs", "all pairs", true, 10, 12, make_all_pairs}};
+
+}  // namespace
+
+std::unique_ptr<NeighborMethod> make_qcg() {
+  return std::make_unique<Qcg>();
+}
+
+std::span<const NeighborMaker> neighbor_methods() {
+  return makers;
+}
+
+const NeighborMaker& neighbor_method(std::string_view name) {
+  const auto found = std::ranges::find(makers, name, &NeighborMaker::name);
+  if (found != makers.end()) return *found;
+  throw std::invalid_argument("no neighbor method \"" + std::string(name) + "\"");
+}
+
+}  // namespace vortree::bench

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "base/vec2.hpp"
+
+namespace vortree::body {
+
+/// The place on a wall that is nearest to a point of the plane.
+///
+/// arc        arc length from the curve's first point, anticlockwise [m]
+/// distance   to the wall [m]; negative inside the body
+/// normal     unit, outward; the tangent (-normal.y, normal.x) runs anticlockwise
+/// curvature  1/m; positive where the body is convex
+struct WallPoint {
+  double arc, distance;
+  Vec2 normal;
+  double curvature;
+
+  Vec2 tangent() const { return {-normal.y, normal.x}; }
+};
+
+/// A closed curve without double points: all that the wall knows of a body.
+class Shape {
+ public:
+  virtual ~Shape() = default;
+  virtual double perimeter() const = 0;
+  virtual Vec2 point(double arc) const = 0;
+  virtual WallPoint nearest(Vec2 at) const = 0;
+  /// nearest(at).distance, to round-off, for those who need no more
+  virtual double distance(Vec2 at) const { return nearest(at).distance; }
+  /// True only outside the body and farther than d from the wall; false there, too, if that would
+  /// take more than a few operations to find out. Most blobs of a wake need nothing else.
+  virtual bool beyond(Vec2 /*at*/, double /*d*/) const { return false; }
+};
+
+std::unique_ptr<Shape> circle(Vec2 centre, double radius);
+
+}  // namespace vortree::body

@@ -1,0 +1,169 @@
+#include "checks/cost.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "io/scene/scales.hpp"
+
+namespace vortree::checks {
+namespace {
+
+// Measured on one thread: 144 000 to 242 000 blobs took 860 bytes each, flows of thousands of blobs
+// 0.1 to 0.4 million blobs a second and evaluation (two a step, of rk4 four), a picture's point
+// five columns and a place in a tree; Eigen's factors of a matrix beside the matrix itself some 3e9
+// operations a second.
+constexpr double bytes_a_blob = 1000, bytes_a_point = 150, blobs_a_second = 2e5,
+                 operations_a_second = 3e9, points_a_second = 3e5, seconds_a_step = 1e-3;
+
+double generations(const io::Scene& scene, double time) {
+  const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
+  const double most2 = scene.cores.sigma_max * scene.cores.sigma_max;
+  return 4 * scene.flow.nu * time / ((1 - alpha2) * most2);
+}
+
+/// How many a blob becomes where nothing merges.
+double multiplied_in(const io::Scene& scene, double time) {
+  if (!io::spreads_cores(scene) || scene.merging.tolerance > 0) return 1;
+  return std::pow(scene.splitting.children, std::floor(generations(scene, time)));
+}
+
+/// Blobs of the lattice that the initial vorticity is cut into.
+double lattice_blobs(const io::Scene& scene) {
+  const io::SceneInitial& i = *scene.initial;
+  const double h = i.spacing * scene.cores.sigma_0, s2 = scene.cores.sigma_0 * scene.cores.sigma_0;
+  const double across = io::across(i);
+  const double vortices = i.separation ? 2 : 1;
+  if (i.kind == io::InitialKind::kirchhoff_ellipse)
+    return std::numbers::pi * (i.core + h) * (across + h) / (h * h);
+  const double p = std::sqrt(i.core * i.core - s2), q = std::sqrt(across * across - s2);
+  return vortices * (std::numbers::pi * p * q * -std::log(i.faintest) / (h * h) + 1);
+}
+
+double free_blobs(const io::Scene& scene) {
+  const io::SceneInitial& i = *scene.initial;
+  const double start = lattice_blobs(scene), most2 = scene.cores.sigma_max * scene.cores.sigma_max;
+  if (!io::spreads_cores(scene)) return start;
+  if (scene.merging.tolerance == 0) return start * multiplied_in(scene, scene.time.end);
+  const double across = io::across(i), vortices = i.separation ? 2 : 1;
+  const double spread = 4 * scene.flow.nu * scene.time.end;
+  const double area = std::numbers::pi *
+                      std::sqrt((i.core * i.core + spread) * (across * across + spread)) *
+                      -std::log(i.faintest);
+  return std::max(start, io::crowding(scene) * vortices * area / most2);
+}
+
+/// Boundary layer and wake, cut off by the box, thinned by coarsening.
+double wake_area(const io::Scene& scene) {
+  const double length = io::length_of(*scene.body),
+               layer = 4 * std::sqrt(scene.flow.nu * scene.time.end);
+  const double way = io::fastest_of(scene) * scene.time.end,
+               from = scene.cores.coarsen_from.value_or(way);
+  const double beyond = way > from ? 2 * from * (1 - std::sqrt(from / way)) : 0;
+  const double around = layer * (io::perimeter_of(*scene.body) + std::numbers::pi * layer);
+  const double area = around + (length + layer) * (std::min(way, from) + beyond);
+  if (!scene.merging.box) return area;
+  const auto [x0, y0, x1, y1] = *scene.merging.box;
+  return std::min(area, (x1 - x0) * (y1 - y0));
+}
+
+double wall_blobs(const io::Scene& scene, double steps) {
+  const double released = scene.body->panels * (steps + 8);
+  const bool merges = scene.flow.nu > 0 && scene.merging.tolerance > 0;
+  if (!merges) return released * multiplied_in(scene, scene.time.end);
+  const double most2 = scene.cores.sigma_max * scene.cores.sigma_max;
+  return scene.body->panels + io::crowding(scene) * 1.5 * wake_area(scene) / most2;
+}
+
+double picture_points(const io::SceneOutput& output) {
+  if (output.fields.empty()) return 0;
+  const auto [x0, y0, x1, y1] = *output.window;
+  const double h = *output.field_spacing;
+  return ((x1 - x0) / h + 1) * ((y1 - y0) / h + 1);
+}
+
+std::string duration(double seconds) {
+  const double hours = seconds / 3600;
+  if (hours < 2) return fmt::format("{:.0f} minutes", seconds / 60);
+  if (hours < 48) return fmt::format("{:.0f} hours", hours);
+  return hours < 24 * 700 ? fmt::format("{:.0f} days", hours / 24)
+                          : fmt::format("{:.2g} years", hours / 24 / 365);
+}
+
+std::string size(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6)
+                     : fmt::format("{:.3g} GB", bytes / 1e9);
+}
+
+}  // namespace
+
+std::size_t blobs_in(double bytes) {
+  return static_cast<std::size_t>(std::min(bytes / bytes_a_blob, 1e15));
+}
+
+Cost cost_of(const io::Scene& scene) {
+  Cost c{.steps = scene.time.end / scene.time.dt};
+  const double panels = scene.body ? scene.body->panels : 0;
+  const double start = scene.initial ? lattice_blobs(scene) : 0;
+  c.blobs = scene.body ? wall_blobs(scene, c.steps) + start : free_blobs(scene);
+  // The matrix is there twice while it is cut into factors.
+  c.wall_bytes = 2 * 8 * (panels + 1) * (panels + 1);
+  c.bytes = bytes_a_blob * c.blobs + c.wall_bytes + bytes_a_point * picture_points(scene.output);
+  c.setup = 2.0 / 3 * panels * panels * panels / operations_a_second;
+  const double sums = scene.time.scheme == io::TimeScheme::rk4 ? 2 : 1,
+               mean = (start + c.blobs) / 2;
+  const bool direct = scene.velocity.method == io::VelocityMethod::direct;
+  const double velocities = direct ? 10 * mean * mean / operations_a_second : mean / blobs_a_second;
+  const double solves = 4 * panels * panels / operations_a_second;
+  const double pictures = static_cast<double>(scene.output.fields.size()) *
+                          picture_points(scene.output) / points_a_second;
+  c.seconds = c.setup + pictures + c.steps * (seconds_a_step + sums * (velocities + solves));
+  return c;
+}
+
+std::vector<std::string> costly(const io::Scene& scene, double memory) {
+  std::vector<std::string> list;
+  const Cost c = cost_of(scene);
+  if (c.setup > 60)
+    list.push_back(fmt::format(
+        "body.panels = {}: the wall's matrix takes {} and some {} before the first step",
+        scene.body->panels, size(c.wall_bytes), duration(c.setup)));
+  if (c.seconds > 3600)
+    list.push_back(fmt::format("the run will take some {}: {:.2g} steps, up to {:.2g} blobs",
+                               duration(c.seconds), c.steps, c.blobs));
+  if (c.bytes > memory / 2)
+    list.push_back(fmt::format("the run will need some {} of the {} there are: {:.2g} blobs",
+                               size(c.bytes), size(memory), c.blobs));
+  return list;
+}
+
+void refuse_beyond(const io::Scene& scene, double memory) {
+  const Cost c = cost_of(scene);
+  const auto refuse = [&](const std::string& words) {
+    throw io::InputError(fmt::format("{}: {}, more than the {} of this machine",
+                                     scene.origin.path.string(), words, size(memory)));
+  };
+  if (c.wall_bytes > memory)
+    refuse(fmt::format("body.panels is {}; the wall's matrix would take {}", scene.body->panels,
+                       size(c.wall_bytes)));
+  if (const double most = std::min<double>(blobs_in(memory), most_blobs);
+      scene.initial && lattice_blobs(scene) > most)
+    throw io::InputError(fmt::format(
+        "{}: initial.spacing {} and cores.sigma_0 {} cut the vortex into {:.3g} blobs; this "
+        "machine holds {:.2g}",
+        scene.origin.path.string(), scene.initial->spacing, scene.cores.sigma_0,
+        lattice_blobs(scene), most));
+  if (const double picture = bytes_a_point * picture_points(scene.output); picture > memory)
+    refuse(fmt::format("output.field_spacing {} makes pictures of {:.2g} points and {}",
+                       *scene.output.field_spacing, picture_points(scene.output), size(picture)));
+  // What grows on the way is known to a factor of three.
+  if (c.bytes > 3 * memory)
+    refuse(fmt::format(
+        "cores.sigma_max {}, merging.tolerance {} and time.end {} make some {:.2g} "
+        "blobs and need some {}",
+        scene.cores.sigma_max, scene.merging.tolerance, scene.time.end, c.blobs, size(c.bytes)));
+}
+
+}  // namespace vortree::checks

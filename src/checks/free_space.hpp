@@ -1,0 +1,13 @@
+#pragma once
+
+#include "checks/history_rows.hpp"
+
+namespace vortree::checks {
+
+/// What [check] asks of vortices in free space: the field at the end (Lamb-Oseen), turning,
+/// merging, travelling, moments against a reference, energy and invariants.
+void check_free_space(std::vector<Verdict>& list, const io::Scene& scene,
+                      const std::filesystem::path& folder, const vortex::Blobs& blobs,
+                      const setup::FlowCase& flow, const Rows& rows);
+
+}  // namespace vortree::checks

@@ -1,0 +1,77 @@
+#include "checks/plunge.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "exact/theodorsen.hpp"
+
+namespace vortree::checks {
+namespace {
+
+const Reached no_period{.value = {}, .why = "the run ends before a whole period"};
+
+/// The last rows of a report that make up whole periods: [first, last), none if there is not one.
+struct Periods {
+  std::size_t first = 0, last = 0;
+  bool any() const { return last > first; }
+};
+
+Periods whole_periods(const io::Scene& scene, const Rows& rows) {
+  const Column t = rows.column("t");
+  std::size_t from = 0;
+  while (from < t.size() && rows.T()[from] < scene.check.plunge_from.value_or(0)) ++from;
+  if (t.size() - from < 3) return {};
+  const double each = 1 / (scene.plunge->frequency * (t[1] - t[0]));  // rows a period
+  const double periods = std::floor((t.size() - from) / each + 1e-6);
+  return {t.size() - static_cast<std::size_t>(std::lround(periods * each)), t.size()};
+}
+
+/// The component of a coefficient at the frequency of the plunge: its real part goes with the
+/// body's place, minus its imaginary part against the body's velocity.
+std::complex<double> at_frequency(const Column& t, const Column& values, Periods rows,
+                                  double omega) {
+  std::complex<double> sum = 0;
+  for (std::size_t r = rows.first; r < rows.last; ++r)
+    sum += values[r] * std::polar(1.0, -omega * t[r]);
+  return 2.0 / static_cast<double>(rows.last - rows.first) * sum;
+}
+
+/// In fluid at rest, where drag is the force along the plunge.
+void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Column& t,
+                   const Column& force, Periods periods, const setup::FlowCase& flow) {
+  constexpr double pi = std::numbers::pi;
+  const double omega = flow.problem.flow.plunge.omega();
+  const auto off = [&](double value, const std::optional<double>& known) -> Reached {
+    if (!periods.any()) return no_period;
+    return {std::abs(deviation(value, known.value_or(0)))};
+  };
+  const std::complex<double> f = at_frequency(t, force, periods, omega);
+  add(list, "morison_drag_max", c.morison_drag_max,
+      [&] { return off(-3 * pi / 8 * f.imag(), c.morison_drag); });
+  add(list, "morison_mass_max", c.morison_mass_max, [&] {
+    return off(2 * flow.speed * f.real() / (pi * flow.diameter * omega), c.morison_mass);
+  });
+}
+
+}  // namespace
+
+void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const setup::FlowCase& flow,
+                  const Rows& rows) {
+  if (!scene.plunge) return;
+  const Periods periods = whole_periods(scene, rows);
+  const Column t = rows.column("t");
+  check_morison(list, scene.check, t, rows.column("cd_impulse"), periods, flow);
+  add(list, "theodorsen_max", scene.check.theodorsen_max, [&]() -> Reached {
+    if (!periods.any()) return no_period;
+    const body::Plunge& plunge = flow.problem.flow.plunge;
+    const Vec2 across{-flow.along.y, flow.along.x};
+    const double half = flow.diameter / 2;
+    const auto plate = exact::lift_of_plunge(dot(plunge.amplitude, across) / half,
+                                             plunge.omega() * half / flow.speed);
+    const auto ours = at_frequency(t, rows.column("cl_impulse"), periods, plunge.omega());
+    return {share(std::abs(ours - plate), std::abs(plate))};
+  });
+}
+
+}  // namespace vortree::checks

@@ -1,0 +1,163 @@
+#include "checks/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/free_memory.hpp"
+#include "checks/cost.hpp"
+#include "checks/warnings_of_means.hpp"
+#include "io/scene/scales.hpp"
+#include "io/scene/sense.hpp"
+#include "setup/timetable.hpp"
+
+namespace vortree::checks {
+namespace {
+
+using List = std::vector<std::string>;
+
+void doubt_reynolds(List& list, const io::Scene& scene) {
+  constexpr double least = 20, most = 10'000;
+  const double reynolds = io::fastest_of(scene) * io::length_of(*scene.body) / scene.flow.nu;
+  if (reynolds < 0.999 * least || reynolds > 2 * most)
+    list.push_back(fmt::format(
+        "flow: the Reynolds number is {:.3g}; results are held against others from {} to {}{}",
+        reynolds, least, most,
+        reynolds < least ? "; below, drag was within 2 % of Stokes' at 1"
+                         : "; above, flows of this kind are turbulent and not plane"));
+}
+
+void doubt_cores(List& list, const io::Scene& scene) {
+  const double layer = io::boundary_layer(scene), widest = scene.cores.sigma_max;
+  const double error = widest * widest / (16 * layer * layer);
+  if (error > 0.05)
+    list.push_back(fmt::format(
+        "cores.sigma_max = {:.3g} is {:.2g} of the boundary layer sqrt(nu D/U) = {:.3g}: the drag "
+        "will be off by {}; {:.2g} keeps it to 1 %",
+        widest, widest / layer, layer,
+        error < 0.5 ? fmt::format("some {:.0f} %", 100 * error) : "more than half", 0.4 * layer));
+  const double thin = scene.cores.sigma_0, fresh = std::sqrt(scene.flow.nu * scene.time.dt);
+  if (thin > 3 * fresh || thin < fresh / 3)
+    list.push_back(fmt::format(
+        "cores.sigma_0 = {:.2g} is {:.2g} of sqrt(nu dt) = {:.2g}, the age of what a step "
+        "releases: wall vorticity and friction will be off by tens of percent",
+        thin, thin / fresh, fresh));
+  const double from = scene.cores.coarsen_from.value_or(INFINITY),
+               size = io::length_of(*scene.body);
+  if (from < 0.1 * size)
+    list.push_back(fmt::format(
+        "cores.coarsen_from = {:.3g}: cores may be {:.2g} times as wide already half a body's "
+        "length away; {:.2g} is right",
+        from, std::pow(0.5 * size / from, 0.75), 0.5 * size));
+}
+
+void doubt_step(List& list, const io::Scene& scene) {
+  const double size = io::length_of(*scene.body), speed = io::fastest_of(scene);
+  const double turn = io::turn_at_wall(scene), dt = scene.time.dt;
+  if (turn > 2)
+    list.push_back(fmt::format(
+        "time.dt = {:.3g}: the vorticity at the wall turns by {:.2g} rad a step, more than the "
+        "time integration can follow; the drag will be wrong, or the run will end early; {:.2g} is "
+        "right",
+        dt, turn, 0.02 * std::sqrt(550 * scene.flow.nu / (speed * size)) * size / speed));
+  if (const double tips = io::turn_at_tip(scene); tips > 15)
+    list.push_back(
+        fmt::format("time.dt = {:.3g}: the flow turns around the body's edge, of radius {:.2g}, by "
+                    "{:.2g} rad a "
+                    "step: blobs will multiply there; {:.2g} is right",
+                    dt, io::tip_radius(*scene.body), tips, 8 * dt / tips));
+  if (scene.plunge && dt * scene.plunge->frequency > 0.05)
+    list.push_back(fmt::format(
+        "time.dt = {:.3g}: a period of the plunge has {:.2g} steps; {:.2g} gives it 100", dt,
+        1 / (dt * scene.plunge->frequency), 0.01 / scene.plunge->frequency));
+}
+
+void doubt_panels(List& list, const io::SceneBody& body, double thin) {
+  const double around = io::perimeter_of(body), panel = around / body.panels;
+  if (panel > 6 * thin)
+    list.push_back(fmt::format(
+        "body.panels = {}: panels of {:.2g} are {:.2g} released cores long, so that fresh "
+        "vorticity has gaps along the wall: the drag will be noisy, by percents and more; {} are "
+        "enough",
+        body.panels, panel, panel / thin, static_cast<int>(std::ceil(around / (2.4 * thin)))));
+  const double tip = io::tip_radius(body);
+  if (panel > io::coarse_at_tip * tip)
+    list.push_back(fmt::format(
+        "body.panels = {}: panels of {:.2g} do not resolve an edge of radius {:.2g}: the sheet "
+        "around it will be off by {}; {} are enough",
+        body.panels, panel, tip, panel > 3 * tip ? "a tenth and more" : "percents",
+        static_cast<int>(std::ceil(around / (io::panel_at_tip * tip)))));
+}
+
+void doubt_body(List& list, const io::Scene& scene) {
+  doubt_reynolds(list, scene);
+  doubt_cores(list, scene);
+  doubt_step(list, scene);
+  doubt_panels(list, *scene.body, scene.cores.sigma_0);
+}
+
+void doubt_initial(List& list, const io::SceneInitial& i, double core) {
+  if (i.spacing > 1.4)
+    list.push_back(
+        fmt::format("initial.spacing = {:.2g}: blobs so many cores apart leave gaps, an error of "
+                    "{:.1g} of the vorticity from the start; 1 leaves 2e-4",
+                    i.spacing, 4 * std::exp(-std::pow(std::numbers::pi / i.spacing, 2))));
+  const double thin = io::least_width(i);
+  if (i.kind == io::InitialKind::kirchhoff_ellipse && core > 0.3 * thin)
+    list.push_back(
+        fmt::format("cores.sigma_0 = {:.3g}: the vortex's edge is as wide, and its half width is "
+                    "{:.3g}; {:.2g} "
+                    "is right",
+                    core, thin, 0.1 * thin));
+  if (i.faintest > 0.02)
+    list.push_back(fmt::format(
+        "initial.faintest = {:.2g}: so much of the vortex is left out around it; 1e-6 is right",
+        i.faintest));
+  if (i.separation && *i.separation < 2 * i.core)
+    list.push_back(fmt::format(
+        "initial.separation = {:.3g}: two vortices of width {:.3g} so near are one from the start; "
+        "{:.2g} parts them",
+        *i.separation, i.core, 5 * i.core));
+  if (std::abs(i.perturbation.value_or(0)) > 2)
+    list.push_back(fmt::format(
+        "initial.perturbation = {:.3g}: the vortex is less than what perturbs it; 0.1 to 1 is "
+        "right",
+        *i.perturbation));
+}
+
+void doubt_vortex(List& list, const io::Scene& scene) {
+  const io::SceneInitial& i = *scene.initial;
+  const double width = io::least_width(i);
+  const double turn = io::turn_of_vortex(scene);
+  const double most = scene.time.scheme == io::TimeScheme::rk4 ? 1 : 0.5;
+  if (turn > most)
+    list.push_back(fmt::format(
+        "time.dt = {:.3g}: the vortex turns by {:.2g} rad a step; blobs will fly off it; {:.2g} "
+        "is right",
+        scene.time.dt, turn, 0.2 * most * scene.time.dt / turn));
+  if (scene.flow.nu > 0 && scene.cores.sigma_max > 0.5 * width)
+    list.push_back(fmt::format(
+        "cores.sigma_max = {:.3g} is {:.2g} of the vortex's width {:.3g}: its form will be off by "
+        "tens of percent; {:.2g} keeps it to 5 %",
+        scene.cores.sigma_max, scene.cores.sigma_max / width, width, 0.27 * width));
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const io::Scene& scene) {
+  List list = setup::doubts_of_times(scene);
+  if (scene.body && io::fastest_of(scene) > 0 && scene.flow.nu > 0) doubt_body(list, scene);
+  if (scene.initial) doubt_initial(list, *scene.initial, scene.cores.sigma_0);
+  if (scene.initial && scene.body && io::covers(*scene.body, scene.initial->centre))
+    list.push_back(fmt::format(
+        "initial.centre = [{:.4g}, {:.4g}] lies within the body, where no vorticity can be",
+        scene.initial->centre[0], scene.initial->centre[1]));
+  if (scene.initial && !scene.body) doubt_vortex(list, scene);
+  for (const auto& more : {doubts_of_means(scene), costly(scene, machine_memory())})
+    list.insert(list.end(), more.begin(), more.end());
+  return list;
+}
+
+}  // namespace vortree::checks

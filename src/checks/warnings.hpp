@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/scene/scene.hpp"
+
+namespace vortree::checks {
+
+/// What will go wrong with a scene that is valid but asks for too much: a sentence for each
+/// setting, with its value, what it will do to the result, and the value that would be right.
+///
+/// Past a body (diameter D, stream U, boundary layer d = sqrt(nu D/U)):
+///   Reynolds  below 20, above 20 000: held against nothing
+///   cores     drag error about sigma_max^2/(16 d^2), named from 5 % on
+///   time step wall vorticity turns by about 2 U/d dt, named from 2 rad on;
+///             around an edge or tip from 15 rad on
+///   panels    longer than 3 released cores leave gaps between them; longer than 1.5 radii of an
+///             edge or tip miss how the flow turns around it
+///   sigma_0   off sqrt(nu dt) by more than 3: wall vorticity, and with it friction, is wrong
+/// In free space: the vortex turns by more than 1 rad (rk2: 1/2) a step, cores wider than half the
+/// vortex, a lattice wider than 1.4 cores, two vortices that are one.
+/// Anywhere: children wider than mergers may be, mergers that may do anything or nothing, sums of
+/// few terms (warnings_of_means.hpp); pictures and frames of nothing; what the run will cost
+/// (cost.hpp).
+std::vector<std::string> doubts(const io::Scene& scene);
+
+}  // namespace vortree::checks

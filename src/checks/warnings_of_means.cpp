@@ -1,0 +1,163 @@
+#include "checks/warnings_of_means.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/scene/scales.hpp"
+#include "io/scene/sense.hpp"
+
+namespace vortree::checks {
+namespace {
+
+using List = std::vector<std::string>;
+
+/// What becomes of blobs that do not merge.
+std::string multiplies(const io::Scene& scene) {
+  const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
+  const double widest = scene.cores.sigma_max;
+  return fmt::format("blobs split into {} for each {:.2g} of time", scene.splitting.children,
+                     (1 - alpha2) * widest * widest / (4 * scene.flow.nu));
+}
+
+void doubt_splitting(List& list, const io::Scene& scene) {
+  const double nu = scene.flow.nu, dt = scene.time.dt, alpha = scene.splitting.alpha;
+  const double child = io::width_of_endless_splits(scene), widest = scene.cores.sigma_max;
+  if (child * child > scene.merging.cap * widest * widest)
+    list.push_back(fmt::format(
+        "cores.sigma_max = {:.3g}: one step of time.dt = {:.3g} widens a core so much that its "
+        "children, {:.3g}, are too wide to merge: blobs will multiply until the run ends; {:.2g} "
+        "is right",
+        widest, dt, child, std::max(std::sqrt(4 * nu * dt), child)));
+  else if (alpha * alpha > scene.merging.cap)
+    list.push_back(fmt::format(
+        "merging.cap = {:.3g}: children of a split, {:.2g} of sigma_max wide, are too wide to "
+        "merge; {}; 1 to 1.2 is right",
+        scene.merging.cap, alpha, multiplies(scene)));
+  if (alpha < 0.5 || alpha > 0.9)
+    list.push_back(fmt::format(
+        "splitting.alpha = {:.3g}: {}; 0.7 to 0.8 is right", alpha,
+        alpha < 0.5 ? "children so narrow leave gaps between them, an error of a vortex's form"
+                    : "a blob that splits stays nearly as wide, and splits again at once"));
+}
+
+/// speed: that of the flow where it matters to a merger; right: the tolerance that goes with an
+/// accuracy of 0.01.
+void doubt_merging(List& list, const io::Scene& scene, double speed, double right) {
+  const double tolerance = scene.merging.tolerance;
+  if (tolerance == 0)
+    list.push_back(fmt::format("merging.tolerance = 0: nothing merges; {}; {:.2g} keeps them few",
+                               multiplies(scene), right));
+  else if (tolerance > speed)
+    list.push_back(fmt::format(
+        "merging.tolerance = {:.3g}: a merger may change velocities by more than the flow's own "
+        "{:.2g}; {:.2g} is right",
+        tolerance, speed, right));
+  else if (const double more = io::crowding(scene); more > 3)
+    list.push_back(fmt::format(
+        "merging.tolerance = {:.3g}: hardly anything merges; some {:.2g} times as many blobs as "
+        "with {:.2g}, which goes with cores.sigma_max = {:.3g}",
+        tolerance, more, tolerance * more * more, scene.cores.sigma_max));
+  if (scene.merging.reach < 0.5)
+    list.push_back(fmt::format(
+        "merging.reach = {:.2g}: hardly two blobs lie so few cores apart; they will multiply; 2 "
+        "to 3 is right",
+        scene.merging.reach));
+  if (scene.merging.reach > 6)
+    list.push_back(fmt::format(
+        "merging.reach = {:.3g}: blobs so many cores apart are no neighbors; 2 to 3 is right",
+        scene.merging.reach));
+}
+
+void doubt_spreading(List& list, const io::Scene& scene) {
+  if (!io::spreads_cores(scene)) return;
+  doubt_splitting(list, scene);
+  if (scene.body && io::fastest_of(scene) > 0) {
+    const double speed = io::fastest_of(scene);
+    doubt_merging(list, scene, 0.5 * speed, 0.04 * speed);
+  } else if (scene.initial) {
+    const io::SceneInitial& i = *scene.initial;
+    const double swirl = io::mean_vorticity(i) * io::least_width(i) / 2;
+    doubt_merging(list, scene, 0.1 * swirl, 4e-4 * swirl);
+  }
+}
+
+void doubt_other_diffusion(List& list, const io::Scene& scene) {
+  const double step = std::sqrt(4 * scene.flow.nu * scene.time.dt), core = scene.cores.sigma_0;
+  if (scene.diffusion.kind == io::DiffusionKind::random_walk && step > core)
+    list.push_back(fmt::format(
+        "time.dt = {:.3g}: blobs walk {:.2g} a step, farther than their cores, {:.2g}; {:.2g} is "
+        "right",
+        scene.time.dt, step, core, 0.25 * core * core / (4 * scene.flow.nu)));
+  if (scene.diffusion.kind == io::DiffusionKind::particle_exchange && scene.initial &&
+      scene.initial->spacing > 1)
+    list.push_back(fmt::format(
+        "initial.spacing = {:.2g}: blobs farther apart than their cores miss neighbors to exchange "
+        "with; 0.8 is right",
+        scene.initial->spacing));
+}
+
+void doubt_sums(List& list, const io::SceneVelocity& velocity) {
+  if (velocity.method == io::VelocityMethod::direct) return;
+  if (velocity.order > 0 && velocity.order < 7)
+    list.push_back(fmt::format(
+        "velocity.order = {}: so few terms err by some {:.1g}, whatever velocity.tolerance is; 0 "
+        "chooses them",
+        velocity.order, 0.1 * std::pow(0.5, velocity.order)));
+  else if (velocity.tolerance > 5e-3)
+    list.push_back(
+        fmt::format("velocity.tolerance = {:.2g}: every velocity may be off by so much of itself; "
+                    "1e-4 is right",
+                    velocity.tolerance));
+}
+
+/// The rectangle that body and initial vorticity fill, along the way that the stream takes them.
+std::array<double, 4> place_of_flow(const io::Scene& scene) {
+  std::array<double, 4> all{INFINITY, INFINITY, -INFINITY, -INFINITY};
+  const auto add = [&](const io::Vec2& centre, const io::Vec2& half) {
+    for (int axis : {0, 1}) {
+      all[axis] = std::min(all[axis], centre[axis] - half[axis]);
+      all[2 + axis] = std::max(all[2 + axis], centre[axis] + half[axis]);
+    }
+  };
+  const auto add_moving = [&](const io::Vec2& centre, const io::Vec2& half) {
+    add(centre, half);
+    add({centre[0] + scene.time.end * scene.flow.stream[0],
+         centre[1] + scene.time.end * scene.flow.stream[1]},
+        half);
+  };
+  if (scene.body) add_moving(scene.body->centre, io::half_extent(*scene.body));
+  if (scene.initial) add_moving(scene.initial->centre, io::half_extent(*scene.initial));
+  return all;
+}
+
+void doubt_output(List& list, const io::Scene& scene) {
+  const io::SceneOutput& output = scene.output;
+  if (output.fields.empty()) return;
+  const auto [x0, y0, x1, y1] = *output.window;
+  const auto flow = place_of_flow(scene);
+  if (x1 < flow[0] || flow[2] < x0 || y1 < flow[1] || flow[3] < y0)
+    list.push_back(fmt::format(
+        "output.window = [{:.4g}, {:.4g}, {:.4g}, {:.4g}]: the flow passes through [{:.4g}, "
+        "{:.4g}, {:.4g}, {:.4g}]; pictures will show nothing of it",
+        x0, y0, x1, y1, flow[0], flow[1], flow[2], flow[3]));
+  if (*output.field_spacing > std::min(x1 - x0, y1 - y0) / 8)
+    list.push_back(
+        fmt::format("output.field_spacing = {:.3g}: pictures of {:.3g} x {:.3g} will "
+                    "have hardly a point across; {:.2g} makes 200",
+                    *output.field_spacing, x1 - x0, y1 - y0, (x1 - x0) / 200));
+}
+
+}  // namespace
+
+List doubts_of_means(const io::Scene& scene) {
+  List list;
+  doubt_spreading(list, scene);
+  doubt_other_diffusion(list, scene);
+  doubt_sums(list, scene.velocity);
+  doubt_output(list, scene);
+  return list;
+}
+
+}  // namespace vortree::checks

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/frames/frames.hpp"
+#include "io/frames/hdf5.hpp"
+
+namespace vortree::io {
+
+/// An empty frames file with the attributes of the run.
+void write_empty_frames(const std::filesystem::path&, const RunInfo&);
+
+/// throws h5::Failure if an attribute is missing or damaged
+[[nodiscard]] RunInfo read_run_info(hid_t file);
+
+}  // namespace vortree::io

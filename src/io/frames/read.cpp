@@ -1,0 +1,41 @@
+#include "io/frames/read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/files.hpp"
+#include "io/frames/group.hpp"
+#include "io/frames/hdf5.hpp"
+
+namespace vortree::io {
+
+std::vector<Frame> read_frames(const std::filesystem::path& path, std::size_t most) {
+  require_regular_file(path);
+  try {
+    const h5::Handle file = h5::open_file(path);
+    const std::vector<FramePlace> places = frame_places(file);
+    const std::size_t count = std::min(most, places.size());
+    std::vector<Frame> frames;
+    for (std::size_t k = 1; k <= count; ++k) {
+      frames.push_back(read_frame(file, places[places.size() * k / count - 1]));
+    }
+    return frames;
+  } catch (const h5::Failure& failure) {
+    throw InputError(fmt::format("{}: {}", path.string(), failure.what()));
+  }
+}
+
+FramesLabel label_of_frames(const std::filesystem::path& path) {
+  require_regular_file(path);
+  try {
+    const h5::Handle file = h5::open_file(path);
+    const std::vector<FramePlace> places = frame_places(file);
+    if (places.empty()) return {};
+    return {.frames = places.size(), .last_time = read_label(file, places.back()).time};
+  } catch (const h5::Failure& failure) {
+    throw InputError(fmt::format("{}: {}", path.string(), failure.what()));
+  }
+}
+
+}  // namespace vortree::io

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "io/scene/document.hpp"
+#include "io/scene/scene.hpp"
+
+namespace vortree::io {
+
+/// Fills in what a scene leaves out: viscosity from flow.reynolds, and from `accuracy` whatever of
+/// cores, time step, merging, velocity tolerance and panels is not written.
+///
+/// With a body of diameter D in a stream U (sqrt(U^2 + V^2) for one that plunges with speeds up to
+/// V), accuracy e the drag's relative error (measured at
+/// Re = 550, where it is set by the cores):
+///
+///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer, at most
+///                                           sqrt(8 nu dt) (e/0.01)^(1/4), the root from 0.01 on,
+///                                           so that strain has but two steps between splits, and
+///                                           not below the sqrt(4 nu dt) that a step adds
+///                                           (beside the body no wider than at Re = 20, or D/4)
+///   dt        = min(2 e, 0.02 sqrt(550/Re)) D/U     the wall's vorticity turns less than 1 rad
+///                                           and a plunge has 100 steps a period; at most
+///                                           0.1 min(e, 0.05) D^2/nu, that cores stay as small
+///                                           against the body as they are at Re = 20; here and
+///                                           below a little less, so that time.end is met
+///                                           (time.hpp)
+///   sigma_0   = sqrt(2 nu dt)               panels: 2.4 sigma_0 long on the circle around the
+///                                           body, 0.7 of the radius of an edge or tip at most,
+///                                           128 to 4000 of them
+///   merging.tolerance = 0.4 sqrt(e) U,  merging.reach = 3,  merging.cap = 1.2
+///   velocity.tolerance = e/1000,  velocity.cores = "both"
+///
+/// In free space, with L the least width and omega the mean vorticity of the initial vortex, e the
+/// relative error of its quadrupole (measured on gaussian_ellipse):
+///
+///   sigma_max = 1.2 L sqrt(e),  sigma_0 = sigma_max/1.3,
+///   dt = min(0.4/omega, sigma_max^2/(4 nu)), so that a step widens cores no more than splitting
+///   makes up for,
+///   merging.tolerance = 0.02 e L omega,  velocity.tolerance = e/1000
+///
+/// throws  InputError if both nu and reynolds are given and disagree, or a needed key is neither
+///         written nor chosen
+void choose_missing(const Document& document, Scene& scene);
+
+}  // namespace vortree::io

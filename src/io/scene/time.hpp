@@ -1,0 +1,30 @@
+#pragma once
+
+#include "io/scene/document.hpp"
+#include "io/scene/scene.hpp"
+
+namespace vortree::io {
+
+/// More steps are refused: a report of a billion rows fills a disk before it ends, and from 1e16 on
+/// a step is lost in the rounding of the time.
+inline constexpr double most_steps = 1e9;
+
+/// A time counts as one of the moments k dt if it is so near to one [dt]: the rounding of times
+/// written with a dozen digits.
+inline constexpr double moment_slack = 1e-6;
+
+/// Whether a run with steps of dt comes to the time t.
+[[nodiscard]] bool met(double t, double dt);
+
+/// The step for a scene that leaves it open, dt at most: the end is met, and of as many steps as
+/// that needs, or up to a fiftieth more, those are taken that meet most of the times of pictures
+/// and the interval of frames. A step that meets the end as it is stays, unless it can meet more.
+[[nodiscard]] double fitted_step(const Scene& scene, double dt);
+
+/// The interval of frames that a scene leaves open: end/14, or dt, in whole steps.
+[[nodiscard]] double usual_frames(const SceneTime& time);
+
+/// throws  InputError if a step is longer than the run, or too short to be counted
+void check_time(const Document& document, const SceneTime& time);
+
+}  // namespace vortree::io

@@ -1,0 +1,98 @@
+#include "io/tables/table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "io/files.hpp"
+#include "io/quote.hpp"
+
+namespace vortree::io {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+  std::vector<std::string_view> cells;
+  for (std::size_t comma; (comma = line.find(',')) != std::string_view::npos;) {
+    cells.push_back(trimmed(line.substr(0, comma)));
+    line.remove_prefix(comma + 1);
+  }
+  cells.push_back(trimmed(line));
+  return cells;
+}
+
+}  // namespace
+
+std::optional<double> number(std::string_view text) {
+  text = trimmed(text);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+Table::Table(const std::filesystem::path& file) : file_(file) {
+  const std::string text = read_text(file);
+  int line_number = 0;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view line = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    ++line_number;
+    if (line.empty() || line.front() == '#') continue;
+    if (names_.empty()) {
+      for (const std::string_view cell : cells_of(line)) names_.emplace_back(cell);
+    } else {
+      take_row(line, line_number);
+    }
+  }
+  if (names_.empty()) {
+    throw InputError(
+        fmt::format("{} is empty; a line of column names was expected", file.string()));
+  }
+}
+
+void Table::take_row(std::string_view line, int line_number) {
+  const auto refuse = [&](const std::string& words) {
+    throw InputError(fmt::format("{}:{}: {}", file_.string(), line_number, words));
+  };
+  const std::vector<std::string_view> cells = cells_of(line);
+  if (cells.size() != names_.size()) {
+    refuse(fmt::format("{} cells; {} columns were expected", cells.size(), names_.size()));
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto value =
+        cells[i].empty() ? std::numeric_limits<double>::quiet_NaN() : number(cells[i]);
+    if (!value) {
+      refuse(fmt::format("{} is {}; a number was expected", shortened(names_[i], 40),
+                         quote(shortened(cells[i], 40))));
+    }
+    values_.push_back(*value);
+  }
+}
+
+bool Table::has(std::string_view column) const {
+  return std::find(names_.begin(), names_.end(), column) != names_.end();
+}
+
+std::vector<double> Table::column(std::string_view name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  if (found == names_.end()) {
+    throw InputError(fmt::format("{}: there is no column {}; the file has {}", file_.string(), name,
+                                 shortened(fmt::format("{}", fmt::join(names_, ", ")), 120)));
+  }
+  const auto at = static_cast<std::size_t>(found - names_.begin());
+  std::vector<double> values;
+  for (std::size_t i = at; i < values_.size(); i += names_.size()) values.push_back(values_[i]);
+  return values;
+}
+
+}  // namespace vortree::io

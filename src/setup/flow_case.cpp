@@ -1,0 +1,164 @@
+#include "setup/flow_case.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "body/outline.hpp"
+#include "io/scene/scales.hpp"
+#include "vortex/blobs/lattice.hpp"
+
+namespace vortree::setup {
+namespace {
+
+/// Blobs of less circulation beside a body are let go [U D]. In a run they add up to less than the
+/// sums of velocities err by, and would outnumber the others (vortex/blobs/outflow.hpp).
+constexpr double faintest = 1e-12;
+
+Vec2 vec(const io::Vec2& a) {
+  return {a[0], a[1]};
+}
+
+std::unique_ptr<vortex::Velocity> velocity_of(const io::SceneVelocity& v) {
+  const fmm::Cores cores = v.cores == io::PairCores::source ? fmm::Cores::source : fmm::Cores::mean;
+  if (v.method == io::VelocityMethod::direct) return vortex::velocity_by_direct_sum(cores);
+  return vortex::velocity_by_plan({
+      .tolerance = v.tolerance,
+      .order = v.order,
+      .capacity = static_cast<std::uint32_t>(v.capacity),
+      .finest_level = v.finest_level,
+      .builder =
+          v.builder == io::TreeBuilder::reverse ? fmm::Builder::reverse : fmm::Builder::forward,
+      .cores = cores,
+      .method = v.method == io::VelocityMethod::fmm ? fmm::Method::fmm : fmm::Method::boxes,
+  });
+}
+
+vortex::Diffusion diffusion_of(io::DiffusionKind kind) {
+  switch (kind) {
+    case io::DiffusionKind::random_walk:
+      return vortex::Diffusion::random_walk;
+    case io::DiffusionKind::particle_exchange:
+      return vortex::Diffusion::particle_exchange;
+    case io::DiffusionKind::core_spreading:
+      break;
+  }
+  return vortex::Diffusion::core_spreading;
+}
+
+std::unique_ptr<body::Shape> shape_of(const io::SceneBody& body) {
+  const double incidence = body.incidence * std::numbers::pi / 180;
+  if (body.shape == io::Shape::ellipse)
+    return body::ellipse({}, *body.radius, *body.across, incidence);
+  if (body.shape == io::Shape::naca0012)
+    return body::naca0012({}, *body.chord, io::edge_of(body), incidence);
+  return body::circle({}, *body.radius);
+}
+
+Vec2 unit(const io::Vec2& a) {
+  return (1 / std::hypot(a[0], a[1])) * vec(a);
+}
+
+body::Plunge plunge_of(const io::ScenePlunge& plunge) {
+  return {plunge.amplitude * unit(plunge.direction), plunge.frequency};
+}
+
+std::optional<vortex::Box> box_of(const io::SceneMerging& merging) {
+  if (!merging.box) return std::nullopt;
+  const auto [x0, y0, x1, y1] = *merging.box;
+  return vortex::Box{{x0, y0}, {x1, y1}};
+}
+
+Origin origin_of(const io::Scene& scene) {
+  if (scene.body) return {vec(scene.body->centre)};
+  return {scene.initial ? vec(scene.initial->centre) : Vec2{}, vec(scene.flow.stream)};
+}
+
+/// One vortex on the left, and one of circulation `right` on the right.
+vortex::Blobs two_vortices(vortex::Lattice lattice, const io::SceneInitial& i, double right) {
+  const Vec2 half{0.5 * *i.separation, 0};
+  const Vec2 centre = lattice.centre;
+  lattice.centre = centre - half;
+  vortex::Blobs both = vortex::gaussian_ellipse(lattice, i.circulation, i.core, i.core);
+  lattice.centre = centre + half;
+  const vortex::Blobs other = vortex::gaussian_ellipse(lattice, right, i.core, i.core);
+  for (std::size_t k = 0; k < other.size(); ++k)
+    both.append(other.centre(k), other.gamma[k], other.sigma[k]);
+  return both;
+}
+
+}  // namespace
+
+FlowCase flow_case(const io::Scene& scene) {
+  FlowCase made;
+  if (scene.body) {
+    made.wall = std::make_unique<vortex::Wall>(shape_of(*scene.body), scene.body->panels);
+    made.diameter = io::length_of(*scene.body);
+  }
+  if (const double speed = io::speed_of(scene); speed > 0) made.speed = speed;
+  if (std::hypot(scene.flow.stream[0], scene.flow.stream[1]) > 0)
+    made.along = unit(scene.flow.stream);
+  else if (scene.plunge)
+    made.along = unit(scene.plunge->direction);
+  made.velocity = velocity_of(scene.velocity);
+  made.origin = origin_of(scene);
+  made.box = box_of(scene.merging);
+  made.problem = {
+      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu,
+               scene.plunge ? plunge_of(*scene.plunge) : body::Plunge{}},
+      .dt = scene.time.dt,
+      .scheme =
+          scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4 : vortex::Scheme::rk2,
+      .carrying_cores = scene.velocity.cores == io::PairCores::both ? std::numbers::sqrt2 : 1,
+      .sigma_0 = scene.cores.sigma_0,
+      .diffusion = diffusion_of(scene.diffusion.kind),
+      .area = scene.initial ? std::pow(scene.initial->spacing * scene.cores.sigma_0, 2) : 0,
+      .splitting = {.sigma_max = scene.cores.sigma_max,
+                    .alpha = scene.splitting.alpha,
+                    .children = scene.splitting.children,
+                    .seed = static_cast<std::uint64_t>(scene.seed),
+                    .coarsening = {scene.cores.coarsen_from.value_or(INFINITY)}},
+      .merging = {.tolerance = scene.merging.tolerance,
+                  .reach = scene.merging.reach,
+                  .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
+      .faintest = made.wall ? faintest * made.speed * made.diameter : 0,
+      .wall = made.wall.get(),
+      .velocity = made.velocity.get(),
+  };
+  made.crowding = io::crowding(scene);
+  made.step_to(0);
+  return made;
+}
+
+void FlowCase::step_to(double time) {
+  if (box) problem.box = vortex::Box{box->low - origin.at(time), box->high - origin.at(time)};
+}
+
+std::vector<double> moved(std::vector<double> column, double by) {
+  if (by != 0)
+    for (double& value : column) value += by;
+  return column;
+}
+
+vortex::Blobs initial_blobs(const io::Scene& scene) {
+  if (!scene.initial) return {};
+  const io::SceneInitial& i = *scene.initial;
+  const vortex::Lattice lattice{vec(i.centre) - origin_of(scene).start, scene.cores.sigma_0,
+                                i.spacing * scene.cores.sigma_0, i.faintest};
+  switch (i.kind) {
+    case io::InitialKind::gaussian_ellipse:
+      return vortex::gaussian_ellipse(lattice, i.circulation, i.core, *i.core_across);
+    case io::InitialKind::kirchhoff_ellipse:
+      return vortex::uniform_ellipse(lattice, i.circulation, i.core, *i.core_across);
+    case io::InitialKind::corotating_pair:
+      return two_vortices(lattice, i, i.circulation);
+    case io::InitialKind::dipole:
+      return two_vortices(lattice, i, -i.circulation);
+    case io::InitialKind::tripole:
+      return vortex::perturbed_vortex(lattice, i.circulation, i.core, *i.perturbation);
+    case io::InitialKind::lamb_oseen:
+      break;
+  }
+  return vortex::gaussian_ellipse(lattice, i.circulation, i.core, i.core);
+}
+
+}  // namespace vortree::setup

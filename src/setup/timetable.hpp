@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "io/scene/scene.hpp"
+
+namespace vortree::setup {
+
+/// When a run does what: times are moments k dt, and what a scene asks for at any other time is
+/// done at the nearest.
+class Timetable {
+ public:
+  explicit Timetable(const io::Scene& scene);
+
+  long last_step() const { return last_; }  ///< 1 or more
+  double time(long step) const { return static_cast<double>(step) * dt_; }
+
+  bool frame_due(long step) const;  ///< at the start, every output.frames, and at the end
+  bool field_due(long step) const;
+
+ private:
+  double dt_, frames_;  // frames_ in steps
+  long last_;
+  std::vector<long> fields_;
+};
+
+/// A sentence for each time that a scene asks for and a run does not meet: time.end, frames and
+/// pictures that are no multiple of time.dt, with what comes instead, and pictures beyond the end.
+std::vector<std::string> doubts_of_times(const io::Scene& scene);
+
+}  // namespace vortree::setup

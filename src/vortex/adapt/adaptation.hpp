@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tree/base/memory.hpp"
+#include "vortex/cores/folded_centroid.hpp"
+
+namespace vortree::vortex {
+
+/// A blob in the midst of splitting and merging: its centre, circulation, sigma squared, and the
+/// traceless part of its covariance.
+///
+/// at_wall   number of what is known of it beside the wall, or no_wall
+/// widening  how many times wider cores may be where it is (coarsening.hpp)
+struct Part {
+  double x, y, gamma, square;
+  Deviator deviator;
+  std::uint32_t at_wall;
+  float widening;
+
+  Vec2 centre() const { return {x, y}; }
+  Core core() const { return {square, deviator}; }
+};
+
+inline constexpr std::uint32_t no_wall = ~0u;
+
+/// What a part beside a wall knows besides. The mean of its distance from the wall is that of its
+/// acting position, centre + offset; the mean square of it is that of its centre and core. Both are
+/// kept, and the core is put around them at the end.
+///
+/// normal  of the wall, outward
+/// moved   the core is still to be put there
+struct AtWall {
+  Vec2 offset, normal;
+  bool moved;
+};
+
+/// The parts of a flow. Splitting and merging conserve sum gamma (centre + offset) exactly, without
+/// an inverse of the folded moments for each child and each merger: one for each blob that is left.
+struct Parts {
+  Unwritten<Part> all;
+  std::vector<AtWall> at_wall;
+};
+
+/// What a part with this core knows of the wall point nearest to its centre.
+AtWall beside(const body::WallPoint& nearest, const Core& core);
+
+Parts loosened(const Blobs& blobs, const body::Shape* wall);
+Blobs settled(const Parts& parts, const body::Shape* wall);
+
+}  // namespace vortree::vortex

@@ -1,0 +1,273 @@
+#include "vortex/adapt/merge_close.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "vortex/adapt/bins.hpp"
+#include "vortex/adapt/merge_kernel.hpp"
+#include "vortex/adapt/merge_windows.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+using merge_kernel::Choice;
+using merge_kernel::Limits;
+using merge_kernel::none;
+
+/// At candidates, in the mean of a part: flows that went well took at most 33. And a second's work,
+/// which a few parts may take anyway.
+constexpr std::size_t most_looks = 2000, few_looks = 100'000'000;
+
+/// Merges like signed parts wherever they are, until no pair is left.
+class Remainder {
+ public:
+  Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Merging& merging);
+
+  /// Flags in `gone` those that have merged into others; false if they crowd too much.
+  [[nodiscard]] bool merge(std::span<char> gone);
+
+ private:
+  using Number = std::uint32_t;
+
+  void look_at(Number i) {
+    const Part& p = parts_[i];
+    candidates_.put(slot_[i], limits_.units, p.centre(), std::abs(p.gamma), p.square, p.widening);
+  }
+  bool crowded() const { return looked_ > std::max(most_looks * parts_.size(), few_looks); }
+  double reach_of(std::size_t slot) const;
+  std::size_t seek_together(std::span<const Number> seeking);
+  void seek_alone(Number i);
+  void choose(std::span<const Number> seeking);
+  std::vector<std::pair<Number, Number>> mutual_pairs();
+  void join(Number into, Number other);
+  std::vector<Number> deserted();
+
+  std::span<Part> parts_;
+  std::span<AtWall> at_wall_;
+  Limits limits_;
+  double side_;  // of what seeks together
+  Bins bins_;
+  std::vector<Number> slot_;  // place in the bins' order, which is that of the candidates
+  merge_kernel::Columns<std::vector<float>> candidates_;
+  std::vector<float> home_x_, home_y_;  // of candidates when they were binned
+  float farthest_from_home_ = 0;
+  std::vector<Choice> choice_;
+  std::vector<Number> choosers_;  // all who have a choice
+  std::vector<char> paired_;
+  std::atomic<std::size_t> looked_ = 0;  // at candidates
+};
+
+Bins binned(std::span<const Part> parts, double side) {
+  std::vector<double> x(parts.size()), y(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    x[i] = parts[i].x;
+    y[i] = parts[i].y;
+  }
+  return Bins(x, y, side);
+}
+
+Remainder::Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Merging& merging)
+    : parts_(parts),
+      at_wall_(at_wall),
+      limits_(merging),
+      side_(4 * merging.sigma_max),
+      bins_(binned(parts, merging.reach * merging.sigma_max / 4)),
+      slot_(parts.size()),
+      choice_(parts.size()),
+      paired_(parts.size()) {
+  candidates_.resize(parts.size() + merge_kernel::Lanes::size());
+  std::fill(candidates_.x.begin() + parts.size(), candidates_.x.end(), merge_kernel::never);
+  const std::ptrdiff_t n = std::ssize(parts);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) {
+    const Number i = bins_.order()[k];
+    slot_[i] = static_cast<Number>(k);
+    look_at(i);
+  }
+  home_x_ = candidates_.x;
+  home_y_ = candidates_.y;
+}
+
+/// Partners of no smaller circulation: the error allows them no farther away than for half this
+/// part's circulation. Smaller ones choose this part themselves.
+double Remainder::reach_of(std::size_t slot) const {
+  const float allowed =
+      2 * limits_.tolerance / (candidates_.gamma[slot] * candidates_.inverse_cube[slot]);
+  const float within = std::sqrt(std::min(limits_.reach2 * candidates_.square[slot], allowed));
+  return (1.00001 * within + farthest_from_home_) / limits_.units.per_length;
+}
+
+/// The first of these, and as many more as fit a vector and lie close, choose their partners.
+/// Returns how many.
+std::size_t Remainder::seek_together(std::span<const Number> seeking) {
+  merge_kernel::Seekers<merge_kernel::Lanes> seekers;
+  Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+  const Part& first = parts_[seeking[0]];
+  for (Number i : seeking.first(std::min(seeking.size(), seekers.most))) {
+    const Part& p = parts_[i];
+    if (std::max(std::abs(p.x - first.x), std::abs(p.y - first.y)) > side_) break;
+    const Number slot = slot_[i];
+    seekers.add(candidates_, slot, slot);
+    const double reach = reach_of(slot);
+    low = {std::min(low.x, p.x - reach), std::min(low.y, p.y - reach)};
+    high = {std::max(high.x, p.x + reach), std::max(high.y, p.y + reach)};
+  }
+  seekers.choose(candidates_, limits_, [&](auto consider) {
+    std::size_t looked = 0;
+    bins_.runs_in(low, high, [&](Number from, Number to) {
+      for (Number slot = from; slot < to; ++slot) consider(slot);
+      looked += to - from;
+    });
+    looked_.fetch_add(looked, std::memory_order_relaxed);
+  });
+  for (std::size_t k = 0; k < seekers.size(); ++k) {
+    Choice choice = seekers.choice(k);
+    if (choice.partner != none) choice.partner = bins_.order()[choice.partner];
+    choice_[seeking[k]] = choice;
+  }
+  return seekers.size();
+}
+
+void Remainder::seek_alone(Number i) {
+  const Part& p = parts_[i];
+  const double reach = reach_of(slot_[i]);
+  merge_kernel::LoneSeeker<merge_kernel::Lanes> seeker(candidates_, slot_[i]);
+  std::size_t looked = 0;
+  bins_.runs_near(p.centre(), reach, [&](Number from, Number to) {
+    seeker.consider(candidates_, from, to, limits_);
+    looked += to - from;
+  });
+  looked_.fetch_add(looked, std::memory_order_relaxed);
+  choice_[i] = seeker.choice();
+  if (choice_[i].partner != none) choice_[i].partner = bins_.order()[choice_[i].partner];
+}
+
+/// Those who seek choose among all, then all are offered to those they have chosen.
+void Remainder::choose(std::span<const Number> seeking) {
+  constexpr std::size_t chunk = 256;
+  const std::size_t chunks = (seeking.size() + chunk - 1) / chunk;
+  // When all seek, neighbors look at the same candidates; few seldom are neighbors.
+  const bool together = seeking.size() == parts_.size();
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::size_t c = 0; c < chunks; ++c) {
+    auto left = seeking.subspan(c * chunk).first(std::min(chunk, seeking.size() - c * chunk));
+    if (!together)
+      for (Number i : left) seek_alone(i);
+    else
+      while (!left.empty()) left = left.subspan(seek_together(left));
+  }
+  for (Number i : seeking)
+    if (choice_[i].partner != none) choosers_.push_back(i);
+  for (std::size_t k = 0; k < choosers_.size(); ++k) {
+    const Number i = choosers_[k];
+    const Choice mine = choice_[i];
+    Choice& theirs = choice_[mine.partner];
+    if (theirs.partner == none) choosers_.push_back(mine.partner);
+    if (mine.error < theirs.error || (mine.error == theirs.error && i < theirs.partner))
+      theirs = {i, mine.error};
+  }
+}
+
+std::vector<std::pair<Remainder::Number, Remainder::Number>> Remainder::mutual_pairs() {
+  std::vector<std::pair<Number, Number>> pairs;
+  for (Number i : choosers_)
+    if (const Number j = choice_[i].partner; i < j && choice_[j].partner == i) {
+      pairs.emplace_back(i, j);
+      paired_[i] = paired_[j] = 1;
+    }
+  return pairs;
+}
+
+void Remainder::join(Number into, Number other) {
+  merge_kernel::merge(parts_[into], parts_[other], at_wall_);
+  look_at(into);
+  const Number slot = slot_[into];
+  candidates_.x[slot_[other]] = merge_kernel::never;  // out of everybody's reach
+  farthest_from_home_ = std::max(
+      farthest_from_home_,
+      std::hypot(candidates_.x[slot] - home_x_[slot], candidates_.y[slot] - home_y_[slot]));
+}
+
+/// Takes those who have merged, and those whose choice has, out of the choosers.
+std::vector<Remainder::Number> Remainder::deserted() {
+  std::vector<Number> seeking;
+  std::erase_if(choosers_, [&](Number i) {
+    const bool alone = paired_[i] || paired_[choice_[i].partner];
+    if (alone) seeking.push_back(i);
+    return alone;
+  });
+  std::ranges::sort(seeking);
+  return seeking;
+}
+
+bool Remainder::merge(std::span<char> gone) {
+  std::vector<Number> seeking(parts_.size());
+  std::iota(seeking.begin(), seeking.end(), 0u);
+  while (!seeking.empty()) {
+    choose(seeking);
+    if (crowded()) return false;
+    const auto pairs = mutual_pairs();
+    for (const auto& [into, other] : pairs) {
+      join(into, other);
+      gone[other] = 1;
+    }
+    seeking = deserted();
+    for (const auto& [into, other] : pairs) paired_[into] = paired_[other] = 0;
+    for (Number i : seeking) choice_[i] = {};
+    std::erase_if(seeking, [&](Number i) { return gone[i]; });
+  }
+  return true;
+}
+
+void merge_remainder(Parts& parts, const Merging& merging) {
+  std::vector<char> gone(parts.all.size());
+  const auto negative = std::ranges::find_if(parts.all, [](const Part& p) { return p.gamma < 0; });
+  const std::size_t split = negative - parts.all.begin(), n = parts.all.size();
+  const std::array borders{std::size_t{0}, split, n};
+  // Few threads are put to better use by a sign each than by what is parallel within one.
+  const int threads = omp_get_max_threads();
+  const bool both = split > 0 && split < n && threads > 1 && threads <= 4;
+  std::array<bool, 2> merged{true, true};
+#pragma omp parallel for schedule(static, 1) num_threads(2) if (both)
+  for (int sign = 0; sign < 2; ++sign) {
+    const std::size_t first = borders[sign], size = borders[sign + 1] - first;
+    if (size > 0)
+      merged[sign] =
+          Remainder({&parts.all[first], size}, parts.at_wall, merging).merge({&gone[first], size});
+  }
+  if (!merged[0] || !merged[1]) throw Crowded(n);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (!gone[i]) parts.all[left++] = parts.all[i];
+  parts.all.resize(left);
+}
+
+}  // namespace
+
+void merge_close(Parts& parts, const Merging& merging) {
+  if (merging.tolerance <= 0 || parts.all.size() < 2) return;
+  // What lies within a core or so merges in windows. Farther partners are for weak vorticity, where
+  // sigma_max is what limits mergers: taken at a window's border they would leave more blobs.
+  Merging near = merging;
+  double shift = 0;
+  for (double cores : {1.2, 1.5}) {
+    near.reach = std::min(merging.reach, cores);
+    merge_in_windows(parts, near, shift);
+    shift += 0.37;  // no border of a quarter of a tile is one again
+  }
+  merge_remainder(parts, merging);
+}
+
+void merge_close(Blobs& blobs, const Merging& merging, const body::Shape* wall) {
+  if (merging.tolerance <= 0 || blobs.size() < 2) return;
+  Parts parts = loosened(blobs, wall);
+  merge_close(parts, merging);
+  blobs = settled(parts, wall);
+}
+
+}  // namespace vortree::vortex

@@ -1,0 +1,145 @@
+#include "vortex/adapt/merge_kernel.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace vortree::vortex::merge_kernel {
+
+namespace {
+
+Vec2 unit(Vec2 a) {
+  return (1 / std::sqrt(dot(a, a))) * a;
+}
+
+/// What lies beside the wall of both, the second's share added to the first's. Tilt is that of
+/// acting positions.
+void merge_at_wall(Part& p, const Part& q, double w, Covariance& spread, Vec2& normal,
+                   std::span<AtWall> at_wall) {
+  const std::uint32_t slot = p.at_wall != no_wall ? p.at_wall : q.at_wall;
+  const AtWall& other = at_wall[q.at_wall != no_wall ? q.at_wall : slot];
+  const Vec2 offset_p = p.at_wall != no_wall ? at_wall[p.at_wall].offset : Vec2{};
+  const Vec2 offset_q = q.at_wall != no_wall ? at_wall[q.at_wall].offset : Vec2{};
+  normal = unit(at_wall[slot].normal + other.normal);
+  const Vec2 tangent{-normal.y, normal.x};
+  const Vec2 apart = p.centre() - q.centre(), acting = apart + offset_p - offset_q;
+  spread = {dot(normal, apart) * dot(normal, apart), dot(normal, acting) * dot(tangent, acting),
+            dot(tangent, apart) * dot(tangent, apart)};
+  at_wall[slot] = {w * offset_p + (1 - w) * offset_q, normal, true};
+  p.at_wall = slot;
+}
+
+}  // namespace
+
+void merge(Part& p, const Part& q, std::span<AtWall> at_wall) {
+  const double gamma = p.gamma + q.gamma, w = gamma != 0 ? p.gamma / gamma : 0.5;
+  const Vec2 apart = p.centre() - q.centre();
+  Vec2 axis{1, 0};
+  Covariance spread{apart.x * apart.x, apart.x * apart.y, apart.y * apart.y};
+  if (p.at_wall != no_wall || q.at_wall != no_wall) merge_at_wall(p, q, w, spread, axis, at_wall);
+  const Core between = core_of(spread, axis);
+  const Vec2 at = w * p.centre() + (1 - w) * q.centre();
+  p.x = at.x;
+  p.y = at.y;
+  p.square = w * p.square + (1 - w) * q.square + w * (1 - w) * between.square;
+  p.deviator = w * p.deviator + (1 - w) * q.deviator + w * (1 - w) * between.deviator;
+  p.gamma = gamma;
+  p.widening = std::min(p.widening, q.widening);
+}
+
+namespace {
+
+void for_each(std::uint32_t set, auto use) {
+  for (; set != 0; set &= set - 1) use(static_cast<std::uint8_t>(std::countr_zero(set)));
+}
+constexpr std::uint32_t bit(std::uint8_t i) {
+  return 1u << i;
+}
+
+}  // namespace
+
+/// Those who seek, a vector of them at a time, look at all who live.
+void Window::choose(const Limits& limits) {
+  chose_ &= ~seeking_;
+  for (Set left = seeking_; left != 0;) {
+    Seekers<Lanes> seekers;
+    std::array<Number, Lanes::size()> who;
+    for (; left != 0 && seekers.size() < Lanes::size(); left &= left - 1) {
+      const auto i = static_cast<Number>(std::countr_zero(left));
+      who[seekers.size()] = i;
+      seekers.add(traits_, i, i);
+    }
+    seekers.choose(traits_, limits,
+                   [&](auto consider) { for_each(alive_, [&](Number i) { consider(i); }); });
+    for (std::size_t k = 0; k < seekers.size(); ++k) {
+      const Choice choice = seekers.choice(k);
+      error_[who[k]] = choice.error;
+      partner_[who[k]] = static_cast<Number>(choice.partner);
+      chose_ |= choice.partner != none ? bit(who[k]) : 0;
+    }
+  }
+}
+
+/// Those who chose are offered to whom they chose.
+void Window::offer() {
+  for_each(seeking_ & chose_, [&](Number i) {
+    const Number j = partner_[i];
+    if (error_[i] >= error_[j]) return;
+    error_[j] = error_[i];
+    partner_[j] = i;
+    chose_ |= bit(j);
+  });
+}
+
+/// The first of each mutual pair; they and those they have left alone seek again.
+Window::Set Window::pair_up() {
+  Set first = 0, second = 0, alone = 0;
+  for_each(chose_, [&](Number i) {
+    const Number j = partner_[i];
+    const bool mutual = partner_[j] == i && i < j;
+    first |= mutual ? bit(i) : 0;
+    second |= mutual ? bit(j) : 0;
+  });
+  const Set paired = first | second;
+  for_each(chose_ & ~paired, [&](Number i) { alone |= paired & bit(partner_[i]) ? bit(i) : 0; });
+  alive_ &= ~second;
+  chose_ &= ~second;
+  seeking_ = first | alone;
+  return first;
+}
+
+void Window::look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
+                     const Limits& limits) {
+  const Vec2 first = parts[members[0]].centre();
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const Part& p = parts[members[i]];
+    traits_.put(i, limits.units, p.centre() - first, std::abs(p.gamma), p.square, p.widening);
+  }
+}
+
+std::size_t Window::merge(std::span<std::uint32_t> members, std::span<Part> parts,
+                          std::span<AtWall> at_wall, const Limits& limits) {
+  const Vec2 first_place = parts[members[0]].centre();
+  look_at(members, parts, limits);
+  error_.fill(never);
+  partner_.fill(nobody);
+  chose_ = 0;
+  alive_ = seeking_ = static_cast<Set>(~0ull >> (64 - members.size()));
+  while (true) {
+    choose(limits);
+    offer();
+    const Set first = pair_up();
+    if (first == 0) break;
+    for_each(first, [&](Number i) {
+      Part& p = parts[members[i]];
+      merge_kernel::merge(p, parts[members[partner_[i]]], at_wall);
+      traits_.put(i, limits.units, p.centre() - first_place, std::abs(p.gamma), p.square,
+                  p.widening);
+    });
+  }
+  std::size_t left = 0;
+  for_each(alive_, [&](Number i) { members[left++] = members[i]; });
+  return left;
+}
+
+}  // namespace vortree::vortex::merge_kernel

@@ -1,0 +1,250 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <experimental/simd>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "vortex/adapt/adaptation.hpp"
+#include "vortex/adapt/merge_close.hpp"
+
+namespace vortree::vortex::merge_kernel {
+
+namespace stdx = std::experimental;
+using Lanes = stdx::native_simd<float>;
+using Lone = stdx::simd<float, stdx::simd_abi::scalar>;  // the plain twin
+
+/// where(chosen, to) = value, which libstdc++ 12 does to all lanes or none when clang compiles it
+/// for AVX-512.
+template <class V>
+[[gnu::always_inline]] inline void assign(const typename V::mask_type& chosen, V& to,
+                                          const V& value) {
+#if defined(__clang__) && defined(__AVX512F__)
+  to = V([&](auto k) { return chosen[k] ? float{value[k]} : float{to[k]}; });
+#else
+  where(chosen, to) = value;
+#endif
+}
+
+constexpr float never = std::numeric_limits<float>::infinity();
+constexpr std::uint32_t none = ~0u;
+
+/// The partner with which merging costs least.
+struct Choice {
+  std::uint32_t partner = none;
+  float error = never;
+};
+
+/// Lengths are looked at in widest cores, circulations in tolerances times that, to a power of two:
+/// single precision has too few exponents for the units of every scene.
+struct Units {
+  double per_length = 1, per_circulation = 1;
+
+  explicit Units(const Merging& merging)
+      : per_length(std::exp2(-std::ilogb(merging.sigma_max))),
+        per_circulation(per_length * std::exp2(-std::ilogb(merging.tolerance))) {}
+};
+
+/// What a choice of partners looks at, in single precision: a choice to seven digits is as good,
+/// and twice as many fit a vector.
+struct Limits {
+  Units units;
+  float tolerance, reach2, widest2;
+
+  explicit Limits(const Merging& merging)
+      : units(merging),
+        tolerance(static_cast<float>(merging.tolerance * units.per_circulation / units.per_length)),
+        reach2(static_cast<float>(merging.reach * merging.reach)),
+        widest2(static_cast<float>(std::pow(merging.sigma_max * units.per_length, 2))) {}
+};
+
+template <class V>
+struct Traits {
+  V x, y, gamma, square, inverse_cube, widening2;
+};
+
+/// Error of merging a with b, and where merge_close.hpp allows it but for the tolerance: for parts
+/// of like sign, whose gamma are both given as positive.
+template <class V>
+struct Price {
+  V error;
+  typename V::mask_type within;
+};
+template <class V>
+[[gnu::always_inline]] inline Price<V> price(const Traits<V>& a, const Traits<V>& b,
+                                             const Limits& limits) {
+  const V dx = a.x - b.x, dy = a.y - b.y;
+  const V d2 = dx * dx + dy * dy;
+  const V w = a.gamma / (a.gamma + b.gamma);
+  const V unlike = a.square - b.square;
+  const V cost = w * b.gamma * (d2 + abs(unlike)) * max(a.inverse_cube, b.inverse_cube);
+  const V wide = b.square + w * (unlike + (1.0f - w) * d2);
+  return {cost, d2 <= limits.reach2 * min(a.square, b.square) &&
+                    wide <= V(limits.widest2) * min(a.widening2, b.widening2)};
+}
+
+/// The error where it is allowed, `never` elsewhere.
+template <class V>
+[[gnu::always_inline]] inline V error(const Traits<V>& a, const Traits<V>& b,
+                                      const Limits& limits) {
+  const auto [cost, within] = price(a, b, limits);
+  V result = never;
+  assign(within && cost <= V(limits.tolerance), result, cost);
+  return result;
+}
+
+/// Traits in columns.
+template <class Column>
+struct Columns {
+  Column x, y, gamma, square, inverse_cube, widening2;
+
+  void resize(std::size_t n) {
+    for (Column* column : {&x, &y, &gamma, &square, &inverse_cube, &widening2}) column->resize(n);
+  }
+  /// gamma must be positive; too small a one vanishes in single precision, and is kept above it. A
+  /// widened tolerance is an error as many times smaller.
+  void put(std::size_t k, const Units& units, Vec2 at, double g, double s2, float widening = 1) {
+    x[k] = static_cast<float>(at.x * units.per_length);
+    y[k] = static_cast<float>(at.y * units.per_length);
+    gamma[k] = std::max(static_cast<float>(g * units.per_circulation), 1e-30f);
+    square[k] = static_cast<float>(s2 * units.per_length * units.per_length);
+    inverse_cube[k] = 1 / (square[k] * std::sqrt(square[k]) * widening);
+    widening2[k] = widening * widening;
+  }
+  void copy(std::size_t to, const auto& from, std::size_t k) {
+    x[to] = from.x[k];
+    y[to] = from.y[k];
+    gamma[to] = from.gamma[k];
+    square[to] = from.square[k];
+    inverse_cube[to] = from.inverse_cube[k];
+    widening2[to] = from.widening2[k];
+  }
+  /// The one at k, in all lanes.
+  template <class V>
+  Traits<V> lone(std::size_t k) const {
+    return {x[k], y[k], gamma[k], square[k], inverse_cube[k], widening2[k]};
+  }
+  /// Those from k on, one a lane.
+  template <class V>
+  Traits<V> lanes(std::size_t k) const {
+    const auto from = [k](const Column& column) { return V(&column[k], stdx::element_aligned); };
+    return {from(x), from(y), from(gamma), from(square), from(inverse_cube), from(widening2)};
+  }
+};
+
+/// Parts that look for partners together, one a lane.
+template <class V>
+class Seekers {
+ public:
+  static constexpr std::size_t most = V::size();
+
+  std::size_t size() const { return size_; }
+
+  void add(const auto& columns, std::size_t k, std::uint32_t number) {
+    numbers_[size_] = tag(number);
+    mine_.copy(size_++, columns, k);
+  }
+
+  /// Hands a function that considers one more candidate, given by number, to `all`, which is to
+  /// call it for every candidate. Among equals, the first is chosen.
+  void choose(const auto& columns, const Limits& limits, const auto& all) {
+    for (std::size_t k = size_; k < most; ++k) {
+      mine_.copy(k, mine_, 0);
+      numbers_[k] = numbers_[0];
+    }
+    const Traits<V> seekers = mine_.template lanes<V>(0);
+    const V own(numbers_.data(), stdx::element_aligned);
+    V least = std::nextafter(limits.tolerance, never), partner = tag(none);
+    all([&](std::uint32_t number) {
+      const auto [e, within] = price(seekers, columns.template lone<V>(number), limits);
+      const V candidate = tag(number);
+      const auto better = within && e < least && own != candidate;
+      assign(better, least, e);
+      assign(better, partner, candidate);
+    });
+    least.copy_to(errors_.data(), stdx::element_aligned);
+    partner.copy_to(partners_.data(), stdx::element_aligned);
+  }
+
+  Choice choice(std::size_t k) const {
+    const std::uint32_t partner = number(partners_[k]);
+    return partner != none ? Choice{partner, errors_[k]} : Choice{};
+  }
+
+ private:
+  // Numbers travel in vectors of float as the bits of floats above 1, where none is denormal.
+  static float tag(std::uint32_t number) { return std::bit_cast<float>(number + 0x3f800000u); }
+  static std::uint32_t number(float tag) { return std::bit_cast<std::uint32_t>(tag) - 0x3f800000u; }
+
+  Columns<std::array<float, most>> mine_;
+  std::array<float, most> numbers_, errors_, partners_;
+  std::size_t size_ = 0;
+};
+
+/// The partner of part `own` among the candidates in runs of columns, a vector of them at a time;
+/// the same as Seekers choose, but for candidates beyond a run's end, which count, too. Columns
+/// must go on for V::size() more places, whose x is `never`.
+template <class V>
+class LoneSeeker {
+ public:
+  LoneSeeker(const auto& columns, std::uint32_t own)
+      : mine_(columns.template lone<V>(own)), own_(own) {}
+
+  void consider(const auto& columns, std::uint32_t first, std::uint32_t last,
+                const Limits& limits) {
+    for (; first < last; first += V::size()) {
+      V e = error(mine_, columns.template lanes<V>(first), limits);
+      if (own_ - first < V::size()) e[own_ - first] = never;
+      if (any_of(e < V(least_.error))) take(e, first);
+    }
+  }
+
+  Choice choice() const { return least_; }
+
+ private:
+  void take(const V& e, std::uint32_t first) {
+    for (std::uint32_t k = 0; k < V::size(); ++k)
+      if (e[k] < least_.error) least_ = {first + k, e[k]};
+  }
+
+  Traits<V> mine_;
+  std::uint32_t own_;
+  Choice least_;
+};
+
+/// Like signed parts that merge among each other, at most so many at once.
+class Window {
+ public:
+  static constexpr std::size_t most = 32;
+
+  /// Merges pairs of mutual choice until there is none. `members` are numbers of parts; those that
+  /// are left come first, in their order, and are counted.
+  std::size_t merge(std::span<std::uint32_t> members, std::span<Part> parts,
+                    std::span<AtWall> at_wall, const Limits& limits);
+
+ private:
+  using Set = std::uint32_t;  // a bit each
+  using Number = std::uint8_t;
+  static constexpr Number nobody = 0xff;
+
+  void look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
+               const Limits& limits);
+  void choose(const Limits& limits);
+  void offer();
+  Set pair_up();
+
+  Columns<std::array<float, most>> traits_;
+  std::array<float, most> error_;
+  std::array<Number, most> partner_;
+  Set alive_, seeking_, chose_;
+};
+
+/// Merges q into p.
+void merge(Part& p, const Part& q, std::span<AtWall> at_wall);
+
+}  // namespace vortree::vortex::merge_kernel

@@ -1,0 +1,287 @@
+#include "vortex/adapt/split_wide.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "base/random.hpp"
+#include "vortex/cores/folded_core.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+/// About six digits: mirror images that differ by round-off still turn alike.
+std::uint64_t rounded(double a) {
+  return (std::bit_cast<std::uint64_t>(a) + (1ull << 31)) >> 32;
+}
+
+Vec2 direction(double phi) {
+  return {std::cos(phi), std::sin(phi)};
+}
+
+/// Rings of children, of radius 1.
+class Rings {
+ public:
+  Rings(const Splitting& splitting, std::uint64_t step)
+      : hash_(mixed(splitting.seed ^ mixed(step))) {
+    const double sector = 2 * std::numbers::pi / splitting.children;
+    for (int c = 0; c < splitting.children; ++c) child_.push_back(direction(sector * c));
+    for (std::size_t k = 0; k < turn_.size(); ++k)
+      turn_[k] = direction(sector * static_cast<double>(k) / turn_.size());
+  }
+
+  /// How far the ring of a blob is turned, as a unit vector.
+  Vec2 turn(double gamma, double sigma) const {
+    const std::uint64_t hash = mixed(hash_ ^ rounded(std::abs(gamma)) ^ (rounded(sigma) << 32));
+    const Vec2 turned = turn_[hash % turn_.size()];
+    return {turned.x, std::copysign(turned.y, gamma)};
+  }
+
+  Vec2 child(Vec2 turned, int c) const {
+    const Vec2 at = child_[c];
+    return {turned.x * at.x - turned.y * at.y, turned.y * at.x + turned.x * at.y};
+  }
+
+ private:
+  std::uint64_t hash_;
+  std::vector<Vec2> child_;
+  std::array<Vec2, 1024> turn_;
+};
+
+/// A strained core's deviator, parted: what shows in where its children lie, and what they keep.
+struct Parted {
+  Deviator shown, kept;
+
+  /// Children lie at variance b in either direction, within `most` of it, and are never thinner, in
+  /// units of their width, than their parent; nor flat.
+  Parted(const Core& parent, double alpha2) {
+    constexpr double most = 0.9, flattest = 0.98;
+    const double b = parent.square * (1 - alpha2) / 2, child = parent.square * alpha2 / 2;
+    const double size = parent.deviator.size();
+    const double part = std::min({size, std::max(most * b, (1 - alpha2) * size), flattest * b});
+    if (size == 0) return;
+    shown = (part / size) * parent.deviator;
+    kept = (std::min(size - part, flattest * child) / size) * parent.deviator;
+  }
+};
+
+/// The square root of the covariance b I + D.
+struct Root {
+  double xx, xy, yy;
+
+  Root(double b, Deviator d) {
+    const double det = std::sqrt(std::max(b * b - d.xx * d.xx - d.xy * d.xy, 0.0)),
+                 trace = std::sqrt(2 * (b + det));
+    xx = (b + d.xx + det) / trace;
+    xy = d.xy / trace;
+    yy = (b - d.xx + det) / trace;
+  }
+  Vec2 operator()(Vec2 a) const { return {xx * a.x + xy * a.y, xy * a.x + yy * a.y}; }
+};
+
+/// The children of a free blob.
+void split_freely(std::span<Part> children, const Part& parent, double alpha2, const Rings& rings) {
+  const double b = parent.square * (1 - alpha2) / 2;
+  const Parted deviator(parent.core(), alpha2);
+  const Root root(b, deviator.shown);
+  const Vec2 turned = std::numbers::sqrt2 * rings.turn(parent.gamma, std::sqrt(parent.square));
+  for (std::size_t c = 0; c < children.size(); ++c) {
+    const Vec2 at = parent.centre() + root(rings.child(turned, static_cast<int>(c)));
+    children[c] = parent;
+    children[c].x = at.x;
+    children[c].y = at.y;
+    children[c].gamma /= static_cast<double>(children.size());
+    children[c].square *= alpha2;
+    children[c].deviator = deviator.kept;
+  }
+}
+
+/// A cross of children beside a flat wall, in units of their width: two at the parent's distance,
+/// shifted, two farther and nearer by `arm`. share: of the first two.
+struct Cross {
+  double share, shift, arm;
+};
+
+/// Mean distance of a core of width 1 at a distance q from a flat wall, and its derivative.
+struct Mean {
+  double value, slope;
+
+  explicit Mean(double q) : value(std::abs(q)), slope(std::copysign(1.0, q)) {
+    if (value >= folded::reach) return;
+    const folded::Profile p = folded::profile(q);
+    value = p.mean;
+    slope = p.erf;
+  }
+};
+
+/// Near the 2/3 that a Gaussian's fourth moment would have: with it the errors of one split after
+/// the other cancel in the growth of a layer at the wall (to 3e-4 of its mean distance; 1e-3 with
+/// 0.6 or 0.7).
+constexpr double usual_share = 0.65;
+
+/// The cross with the parent's mean distance from the wall and mean square of it: of all there are,
+/// the one nearest to the usual share without a shift.
+///
+/// q      distance of the parent, in widths of its children
+/// wider  parent's width across the wall, in widths of its children
+Cross cross(double q, double wider) {
+  const double b = (wider * wider - 1) / 2, mean = wider * Mean(q / wider).value;
+  // Far narrower children than 0.55 of the parent may have no such cross; theirs stays one.
+  const double most_outward = std::sqrt(q * q + 0.9 * b) - q, most_inward = 0.5 * std::sqrt(b);
+  Cross c{usual_share, 0, 0};
+  for (int k = 0; k < 12; ++k) {
+    const double rest = 1 - c.share, at = q + c.shift;
+    c.arm = std::sqrt((b - (q + at) * c.shift) / rest);
+    const Mean mid(at), out(at + c.arm), in(at - c.arm);
+    const double pair = (out.value + in.value) / 2;
+    const double missed = c.share * mid.value + rest * pair - mean;
+    if (std::abs(missed) < 1e-14 * mean) break;
+    const double by_arm = rest * (out.slope - in.slope) / 2;
+    const double by_shift =
+        c.share * mid.slope + rest * (out.slope + in.slope) / 2 - by_arm * at / (rest * c.arm);
+    const double by_share = mid.value - pair + by_arm * c.arm / (2 * rest);
+    const double step = missed / (by_shift * by_shift + by_share * by_share);
+    c.shift = std::clamp(c.shift - step * by_shift, -most_inward, most_outward);
+    c.share = std::clamp(c.share - step * by_share, 0.3, 0.9);
+  }
+  return c;
+}
+
+/// The children of a blob that the wall folds: a cross along and across the wall, sheared by the
+/// parent's tilt. All are to act so far from where they would that their mean stays.
+void split_at_wall(std::span<Part> children, std::span<AtWall> at_wall, const Part& parent,
+                   double alpha2, const body::Shape& wall) {
+  const body::WallPoint w = wall.nearest(parent.centre());
+  const double child2 = alpha2 * parent.square, child = std::sqrt(child2);
+  const Parted deviator(parent.core(), alpha2);
+  const Covariance v = Core{parent.square, deviator.shown}.covariance(w.normal);
+  const Cross c = cross(w.distance / child, std::sqrt(2 * v.nn) / child);
+  const double at = w.distance + child * c.shift, arm = child * c.arm;
+  const std::array<double, 4> distance{at, at, at + arm, std::abs(at - arm)};
+  const std::array<double, 4> share{c.share / 2, c.share / 2, (1 - c.share) / 2, (1 - c.share) / 2};
+  std::array<double, 4> acts;
+  double mean = 0, square = 0;
+  for (int k = 0; k < 4; ++k) {
+    acts[k] = child * Mean(distance[k] / child).value;
+    mean += share[k] * acts[k];
+    square += share[k] * acts[k] * acts[k];
+  }
+  // What of the tilt their distances have room for, and, along the wall, their shares.
+  const double across = square - mean * mean, behind = v.tt - child2 / 2;
+  const double most = 0.9 * std::sqrt(across * behind);
+  const double tilt = std::clamp(v.nt, -most, most), lean = tilt / across;
+  // Mirror images of parents have mirror images of children, in their order.
+  const double along = std::copysign(std::sqrt((behind - lean * tilt) / c.share), parent.gamma);
+  const std::array<double, 4> aside{along, -along, 0, 0};
+  const Placed as_one = acting_blob(parent.centre(), parent.core(), &wall);
+  const Vec2 foot = parent.centre() - w.distance * w.normal;
+  Covariance own = Core{child2, deviator.kept}.covariance(w.normal);
+  own.nt = std::clamp(own.nt + v.nt - tilt, -0.9 * std::sqrt(own.nn * own.tt),
+                      0.9 * std::sqrt(own.nn * own.tt));
+  const Core rest = core_of(own, w.normal);
+  Vec2 sum;
+  for (int k = 0; k < 4; ++k) {
+    const double t = aside[k] + lean * (acts[k] - mean);
+    const Vec2 place = foot + distance[k] * w.normal + t * w.tangent();
+    children[k] = {place.x,        place.y,       share[k] * parent.gamma,
+                   rest.square,    rest.deviator, parent.at_wall + k,
+                   parent.widening};
+    body::WallPoint near = wall.nearest(place);
+    if (near.distance < 0) {
+      const Vec2 back = place - (2 * near.distance) * near.normal;
+      children[k].x = back.x;
+      children[k].y = back.y;
+      near.distance = -near.distance;
+    }
+    at_wall[k] = beside(near, children[k].core());
+    sum = sum + share[k] * (children[k].centre() + at_wall[k].offset);
+  }
+  const Vec2 shift = as_one.centre - sum;
+  for (AtWall& part : at_wall) {
+    part.offset = part.offset + shift;
+    part.moved = true;
+  }
+}
+
+constexpr int children_at_wall = 4;
+
+/// Where the parts of each blob begin, and what they know of the wall.
+struct Places {
+  std::vector<std::uint32_t> part, at_wall;
+  std::vector<float> widening;
+
+  Places(const Blobs& blobs, double widest, const Splitting& splitting, const body::Shape* wall)
+      : part(blobs.size() + 1), at_wall(blobs.size() + 1), widening(blobs.size(), 1.0f) {
+    const auto n = static_cast<std::ptrdiff_t>(blobs.size());
+    const double alpha = splitting.alpha;
+    const bool coarsens = wall && !splitting.coarsening.everywhere_alike();
+    // A child of those beyond is no nearer than it reaches.
+    const double reach_of_split =
+        std::max(folded::reach, folded::reach * alpha + 1.5 * std::sqrt(1 - alpha * alpha));
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+      const double s = vortex::widest(blobs.core(i));
+      const bool near = wall && !wall->beyond(blobs.centre(i), reach_of_split * s);
+      const double distance = near || coarsens ? wall->distance(blobs.centre(i)) : INFINITY;
+      if (coarsens) widening[i] = splitting.coarsening.widening(distance);
+      const bool splits = blobs.sigma[i] > widest * widening[i];
+      const bool folds = distance < (splits ? reach_of_split : folded::reach) * s;
+      part[i + 1] = !splits ? 1 : folds ? children_at_wall : splitting.children;
+      at_wall[i + 1] = folds ? part[i + 1] : 0;
+    }
+    for (std::ptrdiff_t i = 0; i < n; ++i) {
+      part[i + 1] += part[i];
+      at_wall[i + 1] += at_wall[i];
+    }
+  }
+
+  std::size_t children_of(std::size_t i) const {
+    return part[i + 1] - part[i];
+  }
+  bool beside_wall(std::size_t i) const {
+    return at_wall[i + 1] > at_wall[i];
+  }
+};
+
+}  // namespace
+
+Parts split_apart(const Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
+                  std::uint64_t step) {
+  const auto n = static_cast<std::ptrdiff_t>(blobs.size());
+  const double widest = splitting.sigma_max * (1 + 1e-12),
+               alpha2 = splitting.alpha * splitting.alpha;
+  const Places places(blobs, widest, splitting, wall);
+  const Rings rings(splitting, step);
+  Parts parts;
+  parts.all.resize(places.part[n]);
+  parts.at_wall.resize(places.at_wall[n]);
+#pragma omp parallel for schedule(dynamic, 512)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const Vec2 at = blobs.centre(i);
+    const Core core = blobs.core(i);
+    const bool near = places.beside_wall(i);
+    const std::uint32_t slot = near ? places.at_wall[i] : no_wall;
+    const std::span<Part> made(&parts.all[places.part[i]], places.children_of(i));
+    const Part parent{at.x,          at.y, blobs.gamma[i],    core.square,
+                      core.deviator, slot, places.widening[i]};
+    if (made.size() == 1) {
+      made[0] = parent;
+      if (near) parts.at_wall[slot] = beside(wall->nearest(at), core);
+    } else if (near) {
+      split_at_wall(made, {&parts.at_wall[slot], made.size()}, parent, alpha2, *wall);
+    } else {
+      split_freely(made, parent, alpha2, rings);
+    }
+  }
+  return parts;
+}
+
+void split_wide(Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
+                std::uint64_t step) {
+  blobs = settled(split_apart(blobs, splitting, wall, step), wall);
+}
+
+}  // namespace vortree::vortex

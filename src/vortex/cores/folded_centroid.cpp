@@ -1,0 +1,88 @@
+#include "vortex/cores/folded_centroid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "vortex/cores/folded_core.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+/// What is nearest of a wall that the core reaches, and the core in its frame; or nothing.
+struct Beside {
+  bool reached = false;
+  body::WallPoint wall{};
+  Covariance core{};
+
+  Beside(Vec2 at, const Core& own, const body::Shape* shape) {
+    if (!shape || shape->beyond(at, folded::reach * widest(own))) return;
+    wall = shape->nearest(at);
+    core = own.covariance(wall.normal);
+    reached = folded::applies(wall.distance, sigma());
+  }
+  double sigma() const { return std::sqrt(2 * core.nn); }
+
+  /// The blob at the distance and of the width across the wall that `own` has.
+  Placed put(Vec2 at, const folded::Gaussian& own) const {
+    return {at + (own.y - wall.distance) * wall.normal,
+            core_of({own.s * own.s / 2, core.nt, core.tt}, wall.normal)};
+  }
+};
+
+}  // namespace
+
+Placed acting_blob(Vec2 centre, const Core& core, const body::Shape* shape) {
+  const Beside blob(centre, core, shape);
+  if (!blob.reached) return {centre, core};
+  const body::WallPoint& w = blob.wall;
+  const double m = folded::mean_distance(w.distance, blob.sigma(), w.curvature);
+  const double across = folded::variance_across(w.distance, blob.sigma(), m);
+  return {centre + (m - w.distance) * w.normal,
+          core_of({across, blob.core.nt, blob.core.tt}, w.normal)};
+}
+
+Acting acting(const Blobs& blobs, const body::Shape* wall) {
+  Acting result{blobs.x, blobs.y, blobs.sigma};
+  if (!wall) return result;
+  const std::ptrdiff_t n = std::ssize(blobs.x);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const Placed blob = acting_blob(blobs.centre(i), blobs.core(i), wall);
+    result.x[i] = blob.centre.x;
+    result.y[i] = blob.centre.y;
+    result.sigma[i] = std::sqrt(blob.core.square);
+  }
+  return result;
+}
+
+Placed place(Vec2 mean, const Core& core, const body::Shape* shape) {
+  const Beside blob(mean, core, shape);
+  if (!blob.reached) return {mean, core};
+  const body::WallPoint& w = blob.wall;
+  return blob.put(mean, folded::place(w.distance, blob.sigma(), w.curvature));
+}
+
+Placed place_acting(const Placed& acting, const body::Shape* shape) {
+  const Beside blob(acting.centre, acting.core, shape);
+  if (!blob.reached) return acting;
+  const body::WallPoint& w = blob.wall;
+  return blob.put(acting.centre,
+                  folded::place_with_variance(w.distance, blob.core.nn, w.curvature));
+}
+
+Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double dt,
+                const body::Shape* shape) {
+  const Placed before = acting_blob(blob.centre, blob.core, shape);
+  Placed after{before.centre + way, carried(before.core, gradient, dt)};
+  if (const Beside beside(blob.centre, blob.core, shape); beside.reached) {
+    const Vec2 n = beside.wall.normal;
+    Covariance v = after.core.covariance(n);
+    v.tt = before.core.covariance(n).tt;
+    const double most = 0.95 * std::sqrt(v.nn * v.tt);
+    v.nt = std::clamp(v.nt, -most, most);
+    after.core = core_of(v, n);
+  }
+  return place_acting(after, shape);
+}
+
+}  // namespace vortree::vortex

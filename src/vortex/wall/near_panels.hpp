@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/vec2.hpp"
+#include "tree/order/points.hpp"
+
+namespace vortree::vortex {
+
+/// What panels are to points near them, beyond what their middles and samples are: six to either
+/// side of the nearest, a vector of them at a time.
+///
+/// Values of panels are kept `wrapped` around the curve, so that any such window lies side by side.
+class NearPanels {
+ public:
+  /// edge, middle, tangent   of each panel, of length `length`; panel i runs from edge[i]
+  /// samples                 two a panel
+  NearPanels(std::span<const Vec2> edge, std::span<const Vec2> middle,
+             std::span<const Vec2> tangent, tree::Points samples, double length);
+
+  std::vector<double> wrapped(std::span<const double> values) const;
+  /// Adds up what was added to the same panel, here or around the curve.
+  std::vector<double> unwrapped(std::span<const double> values) const;
+  std::vector<double> wrapped_zeros() const { return std::vector<double>(places()); }
+
+  /// Velocity of a sheet (wrapped) near the arc, less that of its panels as point vortices.
+  Vec2 correction(Vec2 at, double arc, std::span<const double> sheet) const;
+
+  /// Adds to `missed` (wrapped) the average velocity along each panel of a vortex near the arc,
+  /// less the mean of that at the panel's two samples.
+  void add_missed(Vec2 at, double arc, double gamma, std::span<double> missed) const;
+
+ private:
+  std::size_t places() const;
+  std::size_t first_place(double arc) const;
+
+  struct Column {
+    std::vector<double> x, y;
+  };
+  Column column(auto of_panel) const;
+
+  std::size_t panels_;
+  double length_;
+  Column begin_, end_, chord_, middle_, tangent_, sample_[2];
+  std::vector<double> counts_;  // 1 for the panels of a window, 0 for what fills its last vector
+};
+
+}  // namespace vortree::vortex

@@ -1,0 +1,107 @@
+#include "vortex/wall/near_wake.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace vortree::vortex {
+namespace {
+
+Vec2 centre_of(const Wall& wall) {
+  Vec2 sum;
+  for (std::size_t i = 0; i < wall.panels(); ++i) sum = sum + wall.middle(i);
+  return (1.0 / static_cast<double>(wall.panels())) * sum;
+}
+
+Vec2 unit(Vec2 a) {
+  return (1 / std::hypot(a.x, a.y)) * a;
+}
+
+/// Distance from `from` along `direction` to the wall (from the inside out).
+double way_out(const Wall& wall, Vec2 from, Vec2 direction) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const Vec2 d = wall.middle(i) - from;
+    farthest = std::max(farthest, std::hypot(d.x, d.y));
+  }
+  double inside = 0, outside = 2 * farthest;
+  for (int k = 0; k < 60; ++k) {
+    const double half = 0.5 * (inside + outside);
+    (wall.shape().nearest(from + half * direction).distance < 0 ? inside : outside) = half;
+  }
+  return outside;
+}
+
+struct Station {
+  double angle, vorticity;  // from the rear [degrees]; attached flow has vorticity < 0
+};
+
+/// The wall of one side (+1: left of the stream), from the front to the rear.
+std::vector<Station> side_of(std::span<const double> vorticity, const Wall& wall, Vec2 stream,
+                             double side) {
+  const Vec2 rear = unit(stream), left{-rear.y, rear.x}, centre = centre_of(wall);
+  std::vector<Station> stations;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const Vec2 d = wall.middle(i) - centre;
+    const double across = side * dot(d, left);
+    if (across > 0)
+      stations.push_back(
+          {std::atan2(across, dot(d, rear)) * 180 / std::numbers::pi, side * vorticity[i]});
+  }
+  std::ranges::sort(stations, std::greater{}, &Station::angle);
+  return stations;
+}
+
+/// Attached flow has vorticity < 0; near the front it is small and says nothing, and a turn that
+/// the flow takes back before it has gone on for `lasting` panels is a speck.
+std::optional<double> separation_on(std::span<const Station> stations) {
+  constexpr double front = 150;
+  constexpr std::size_t lasting = 3;
+  for (std::size_t k = 1; k + lasting <= stations.size(); ++k) {
+    const auto [a0, w0] = stations[k - 1];
+    const auto [a1, w1] = stations[k];
+    const bool lasts = std::ranges::all_of(stations.subspan(k, lasting),
+                                           [](const Station& s) { return s.vorticity >= 0; });
+    if (a0 < front && w0 < 0 && lasts) return a0 + (a1 - a0) * w0 / (w0 - w1);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+WakeLine wake_line(const Wall& wall, Vec2 stream) {
+  const Vec2 downstream = unit(stream), centre = centre_of(wall);
+  const double out = way_out(wall, centre, downstream);
+  WakeLine line{{}, {}, {}, downstream};
+  for (double s = 0.005 * out; s < 40 * out; s *= 1.03) {
+    const Vec2 at = centre + (out + s) * downstream;
+    line.length.push_back(s);
+    line.x.push_back(at.x);
+    line.y.push_back(at.y);
+  }
+  return line;
+}
+
+double bubble_length(const WakeLine& line, const Velocities& u) {
+  const auto along = [&](std::size_t k) { return dot({u.u[k], u.v[k]}, line.direction); };
+  for (std::size_t k = 1; k < line.length.size(); ++k) {
+    const double before = along(k - 1), after = along(k);
+    if (before < 0 && after >= 0)
+      return line.length[k - 1] + (line.length[k] - line.length[k - 1]) * before / (before - after);
+  }
+  return 0;
+}
+
+double separation_angle(std::span<const double> wall_vorticity, const Wall& wall, Vec2 stream) {
+  double sum = 0;
+  int found = 0;
+  for (double side : {1.0, -1.0})
+    if (const auto angle = separation_on(side_of(wall_vorticity, wall, stream, side))) {
+      sum += *angle;
+      ++found;
+    }
+  return found ? sum / found : 0;
+}
+
+}  // namespace vortree::vortex

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "base/angle_kernel.hpp"
+#include "base/vec2.hpp"
+#include "fmm/cores/log_kernel.hpp"
+
+namespace vortree::vortex::panel {
+
+inline constexpr double inverse_two_pi = 0.5 * std::numbers::inv_pi;
+
+/// Angle under which `at` sees the way from a to b.
+inline double angle(Vec2 at, Vec2 a, Vec2 b) {
+  const Vec2 p = a - at, q = b - at;
+  return std::atan2(p.x * q.y - p.y * q.x, dot(p, q));
+}
+
+/// Velocity of a bare vortex of circulation 1 at `source`; none at its own place.
+inline Vec2 point_velocity(Vec2 at, Vec2 source) {
+  const Vec2 d = at - source;
+  const double r2 = dot(d, d), w = r2 > 0 ? inverse_two_pi / r2 : 0;
+  return {-w * d.y, w * d.x};
+}
+
+/// Velocity of a straight sheet of strength 1 from a to b: in the panel's frame (seen, along)/(2
+/// pi) with a sign from u - i v = log((z - a)/(z - b))/(2 pi i).
+inline Vec2 velocity(Vec2 at, Vec2 a, Vec2 b) {
+  const Vec2 p = at - a, q = at - b, d = b - a;
+  const double along = 0.5 * std::log(dot(p, p) / dot(q, q));
+  const Vec2 t = (1 / std::sqrt(dot(d, d))) * d;
+  const double parallel = -inverse_two_pi * angle(at, a, b), across = inverse_two_pi * along;
+  return {parallel * t.x - across * t.y, parallel * t.y + across * t.x};
+}
+
+/// The same in vectors, a panel a lane.
+
+struct Vectors {
+  Lanes x, y;
+  friend Vectors operator-(Vec2 a, Vectors b) { return {a.x - b.x, a.y - b.y}; }
+};
+inline Lanes dot(Vectors a, Vectors b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// twin  angle
+inline Lanes angles(Vec2 at, Vectors a, Vectors b) {
+  const Vectors p = at - a, q = at - b;
+  return angle_of(p.x * q.y - p.y * q.x, dot(p, q));
+}
+
+/// twin  point_velocity
+inline Vectors point_velocities(Vec2 at, Vectors source) {
+  const Vectors d = at - source;
+  const Lanes r2 = dot(d, d), w = r2 > 0.0 ? inverse_two_pi / r2 : Lanes{};
+  return {-w * d.y, w * d.x};
+}
+
+/// chord  unit vectors from a to b
+/// twin   velocity
+inline Vectors velocities(Vec2 at, Vectors a, Vectors b, Vectors chord) {
+  const Vectors p = at - a, q = at - b;
+  const Lanes across = (0.5 * inverse_two_pi) * fmm::logarithm(dot(p, p) / dot(q, q));
+  const Lanes parallel = -inverse_two_pi * angles(at, a, b);
+  return {parallel * chord.x - across * chord.y, parallel * chord.y + across * chord.x};
+}
+
+}  // namespace vortree::vortex::panel

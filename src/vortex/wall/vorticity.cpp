@@ -1,0 +1,22 @@
+#include "vortex/wall/vorticity.hpp"
+
+#include "fmm/vorticity.hpp"
+#include "vortex/cores/folded_core.hpp"
+
+namespace vortree::vortex {
+
+void vorticity(const Blobs& blobs, const body::Shape* wall, tree::Points at,
+               std::span<double> omega) {
+  Blobs all = blobs;
+  for (std::size_t i = 0; wall && i < blobs.size(); ++i) {
+    if (wall->beyond(blobs.centre(i), folded::reach * blobs.sigma[i])) continue;
+    const body::WallPoint w = wall->nearest(blobs.centre(i));
+    if (folded::applies(w.distance, blobs.sigma[i]))
+      all.append(blobs.centre(i) - (2 * w.distance) * w.normal, blobs.gamma[i], blobs.sigma[i]);
+  }
+  fmm::vorticity({all.x, all.y, all.gamma, all.sigma}, at, omega, 1e-10);
+  for (std::size_t i = 0; wall && i < at.size(); ++i)
+    if (wall->nearest({at.x[i], at.y[i]}).distance < 0) omega[i] = 0;
+}
+
+}  // namespace vortree::vortex

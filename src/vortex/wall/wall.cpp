@@ -1,0 +1,152 @@
+#include "vortex/wall/wall.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "base/ordered_sum.hpp"
+#include "vortex/wall/disc_multipole.hpp"
+#include "vortex/wall/panel_kernel.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+constexpr double near_panels = 3;  // exact integrals for points closer to the wall than this
+const double gauss = 0.5 / std::sqrt(3.0);
+
+/// The sheet's equations and, last, its circulation; their multiplier takes up what a discrete slip
+/// misses of being free of circulation.
+std::vector<double> sheet_equations(const body::Shape& shape, const std::vector<Vec2>& middle,
+                                    double length) {
+  const std::size_t n = middle.size();
+  std::vector<double> a((n + 1) * (n + 1));
+  for (std::size_t i = 0; i < n; ++i) {
+    const body::WallPoint at = shape.nearest(middle[i]);
+    double* row = &a[i * (n + 1)];
+    for (std::size_t j = 0; j < n; ++j) {
+      const Vec2 d = middle[i] - middle[j];
+      const double k = i == j ? at.curvature / 2 : dot(at.normal, d) / dot(d, d);
+      row[j] = (i == j ? 0.5 : 0.0) - panel::inverse_two_pi * length * k;
+    }
+    row[n] = 1;
+    a[n * (n + 1) + i] = length;
+  }
+  return a;
+}
+
+}  // namespace
+
+Wall::Wall(std::unique_ptr<body::Shape> shape, int panels) : shape_(std::move(shape)) {
+  if (panels < 8)
+    throw std::invalid_argument(std::to_string(panels) + " panels; a wall needs at least 8");
+  length_ = shape_->perimeter() / panels;
+  for (int i = 0; i < panels; ++i) {
+    edge_.push_back(shape_->point(i * length_));
+    middle_.push_back(shape_->point((i + 0.5) * length_));
+    tangent_.push_back(shape_->nearest(middle_.back()).tangent());
+    middle_x_.push_back(middle_.back().x);
+    middle_y_.push_back(middle_.back().y);
+    for (double offset : {0.5 - gauss, 0.5 + gauss}) {
+      const Vec2 p = shape_->point((i + offset) * length_);
+      sample_x_.push_back(p.x);
+      sample_y_.push_back(p.y);
+    }
+  }
+  near_.emplace(edge_, middle_, tangent_, samples(), length_);
+  system_.emplace(sheet_equations(*shape_, middle_, length_), middle_.size() + 1);
+}
+
+std::vector<double> Wall::missed_by_samples(const Acting& acting, std::span<const double> gamma,
+                                            std::size_t first, std::size_t last) const {
+  std::vector<double> missed = near_->wrapped_zeros();
+  for (std::size_t j = first; j < last; ++j) {
+    const Vec2 at = acting.at(j);
+    if (shape_->beyond(at, near_panels * length_)) continue;
+    const body::WallPoint w = shape_->nearest(at);
+    if (w.distance > near_panels * length_) continue;
+    near_->add_missed(at, w.arc, gamma[j], missed);
+  }
+  return near_->unwrapped(missed);
+}
+
+std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const Acting& acting,
+                               std::span<const double> gamma) const {
+  const auto n = static_cast<std::ptrdiff_t>(panels());
+  std::vector<double> slip(panels());
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const Vec2 far = 0.5 * (Vec2{at_samples.u[2 * i], at_samples.v[2 * i]} +
+                            Vec2{at_samples.u[2 * i + 1], at_samples.v[2 * i + 1]});
+    slip[i] = dot(stream + far, tangent_[i]);
+  }
+  const auto missed = sum_in_parts(gamma.size(), [&](std::size_t first, std::size_t last) {
+    return missed_by_samples(acting, gamma, first, last);
+  });
+  for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += missed[i];
+  return slip;
+}
+
+std::vector<double> Wall::sheet(std::span<const double> slip, double total) const {
+  std::vector<double> right(slip.begin(), slip.end());
+  right.push_back(total);
+  std::vector<double> gamma = system_->solve(right);
+  gamma.pop_back();
+  return gamma;
+}
+
+void Wall::add_velocity_of_points(std::span<const double> sheet, const Velocity& velocity,
+                                  tree::Points targets, Velocities& u) const {
+  std::vector<double> circulation(sheet.begin(), sheet.end());
+  for (double& g : circulation) g *= length_;
+  const Disc disc({middle_x_, middle_y_});
+  std::vector<std::uint32_t> far, near;
+  std::vector<double> x, y;
+  for (std::uint32_t t = 0; t < targets.size(); ++t) {
+    if (disc.serves({targets.x[t], targets.y[t]})) {
+      far.push_back(t);
+    } else {
+      near.push_back(t);
+      x.push_back(targets.x[t]);
+      y.push_back(targets.y[t]);
+    }
+  }
+  if (!far.empty())
+    DiscMultipole(disc, {middle_x_, middle_y_}, circulation).add_velocity(targets, far, u);
+  Velocities upon_near(near.size());
+  velocity.upon({middle_x_, middle_y_, circulation, {}}, {x, y}, upon_near);
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    u.u[near[k]] += upon_near.u[k];
+    u.v[near[k]] += upon_near.v[k];
+  }
+}
+
+void Wall::add_velocity(std::span<const double> sheet, const Velocity& velocity,
+                        tree::Points targets, Velocities& u) const {
+  add_velocity_of_points(sheet, velocity, targets, u);
+  const std::vector<double> wrapped = near_->wrapped(sheet);
+  const auto count = static_cast<std::ptrdiff_t>(targets.size());
+#pragma omp parallel for schedule(dynamic, 512)
+  for (std::ptrdiff_t t = 0; t < count; ++t) {
+    const Vec2 at{targets.x[t], targets.y[t]};
+    if (shape_->beyond(at, near_panels * length_)) continue;
+    const body::WallPoint w = shape_->nearest(at);
+    if (std::abs(w.distance) >= near_panels * length_) continue;
+    const Vec2 sum = near_->correction(at, w.arc, wrapped);
+    u.u[t] += sum.x;
+    u.v[t] += sum.y;
+  }
+}
+
+double Wall::area() const {
+  double sum = 0;
+  for (std::size_t i = 0; i < panels(); ++i)
+    sum += 0.5 * length_ * (middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x);
+  return sum;
+}
+
+Vec2 Wall::first_moment(std::span<const double> sheet) const {
+  Vec2 sum;
+  for (std::size_t i = 0; i < sheet.size(); ++i) sum = sum + (sheet[i] * length_) * middle_[i];
+  return sum;
+}
+
+}  // namespace vortree::vortex

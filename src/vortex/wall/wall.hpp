@@ -1,0 +1,80 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "body/shape.hpp"
+#include "vortex/cores/folded_centroid.hpp"
+#include "vortex/velocity.hpp"
+#include "vortex/wall/linear_system.hpp"
+#include "vortex/wall/near_panels.hpp"
+
+namespace vortree::vortex {
+
+/// A vortex sheet on a closed curve, in panels of equal arc length b, that holds the interior at
+/// rest.
+///
+/// The slip of stream and blobs along panel i, averaged over it, fixes the sheet:
+///
+///   gamma_i/2 - b sum_j K(x_i, x_j) gamma_j = slip_i,   K(x, x') = (1/2 pi) d/dn ln|x - x'|,
+///   b sum_i gamma_i = total,
+///
+/// gamma, slip and tangent all anticlockwise (the bare stream past a circle gives -2 U sin theta).
+/// The trapezoid rule converges faster than any power of b on a smooth curve; K(x, x) is the
+/// curvature/(4 pi). The matrix is factorised once. The average of a vortex's tangential velocity
+/// is the angle under which it sees the panel, gamma/(2 pi b) * angle: exact however near it is.
+/// cost    setting up O(panels^3) once; a sheet O(panels^2 + blobs near the wall)
+/// source  Koumoutsakos, Leonard & Pepin, J. Comput. Phys. 113 (1994), eq. 12-15
+class Wall {
+ public:
+  /// throws std::invalid_argument for fewer than 8 panels
+  Wall(std::unique_ptr<body::Shape> shape, int panels);
+
+  const body::Shape& shape() const { return *shape_; }
+  std::size_t panels() const { return middle_.size(); }
+  double panel_length() const { return length_; }
+  Vec2 middle(std::size_t i) const { return middle_[i]; }
+  Vec2 tangent(std::size_t i) const { return tangent_[i]; }
+
+  /// Points where the far field is sampled for the slip: two Gauss points a panel.
+  tree::Points samples() const { return {sample_x_, sample_y_}; }
+
+  /// Average slip along each panel: stream, the bare velocity at samples(), and what the samples
+  /// miss of the vortices closer than a few panels.
+  std::vector<double> slip(Vec2 stream, const Velocities& at_samples, const Acting& acting,
+                           std::span<const double> gamma) const;
+
+  /// The sheet that cancels a slip, with circulation `total`.
+  std::vector<double> sheet(std::span<const double> slip, double total) const;
+
+  /// Adds the velocity of a sheet at points of the fluid: panels as point vortices from afar (for
+  /// them the trapezoid rule errs by exp(-2 pi distance/b)), exact panel integrals near.
+  void add_velocity(std::span<const double> sheet, const Velocity& velocity, tree::Points targets,
+                    Velocities& u) const;
+
+  /// Of the body [m^2].
+  double area() const;
+
+  /// sum of gamma b x over the panels.
+  Vec2 first_moment(std::span<const double> sheet) const;
+
+ private:
+  /// The same, of panels as point vortices.
+  void add_velocity_of_points(std::span<const double> sheet, const Velocity& velocity,
+                              tree::Points targets, Velocities& u) const;
+
+  /// What the two samples a panel miss of the vortices [first, last) that are close to it.
+  std::vector<double> missed_by_samples(const Acting& acting, std::span<const double> gamma,
+                                        std::size_t first, std::size_t last) const;
+
+  std::unique_ptr<body::Shape> shape_;
+  double length_;
+  std::vector<Vec2> edge_, middle_, tangent_;
+  std::vector<double> sample_x_, sample_y_, middle_x_, middle_y_;
+  std::optional<NearPanels> near_;
+  std::optional<LinearSystem> system_;
+};
+
+}  // namespace vortree::vortex

@@ -1,0 +1,216 @@
+#include "app/commands/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "app/commands/sweep_table.hpp"
+#include "app/program.hpp"
+#include "checks/convergence.hpp"
+#include "io/input_error.hpp"
+
+using namespace vortree;
+using namespace vortree::test;
+using app::Axis;
+
+namespace {
+
+const std::string lone_vortex = R"(
+[flow]
+nu = 1e-3
+[cores]
+sigma_0 = 0.06
+sigma_max = 1
+[initial]
+kind = "lamb_oseen"
+circulation = 1.0
+core = 0.2
+[merging]
+tolerance = 0
+[time]
+dt = 0.01
+end = 0.08
+[check]
+second_moment_max = 1
+)";
+
+}  // namespace
+
+TEST_CASE("a list of values is an axis; commas in brackets and quotes divide nothing") {
+  const std::vector<std::string> words{"time.dt=0.1,0.2", "flow.stream=[1,0]", "title=\"a, b\"",
+                                       "a.b=[1,2],[3,4]"};
+  const app::SweepPlan plan = app::sweep_plan(words);
+  CHECK(plan.fixed == std::vector<std::string>{"flow.stream=[1,0]", "title=\"a, b\""});
+  CHECK(plan.axes == std::vector<Axis>{{"time.dt", {"0.1", "0.2"}}, {"a.b", {"[1,2]", "[3,4]"}}});
+  CHECK_THROWS_AS(app::sweep_plan(std::vector<std::string>{"time.dt=0.1,,0.2"}), io::InputError);
+}
+
+TEST_CASE("orders of a power law are its exponent, and what says nothing has none") {
+  std::vector<double> h, e;
+  for (double a : {0.8, 0.4, 0.1}) {
+    h.push_back(a);
+    e.push_back(3 * std::pow(a, 2.5));
+  }
+  const auto p = app::orders(h, e);
+  CHECK(std::isnan(p[0]));
+  CHECK(p[1] == Approx(2.5));
+  CHECK(p[2] == Approx(2.5));
+  CHECK(app::fitted_order(h, e) == Approx(2.5));
+  e[1] = INFINITY;
+  CHECK(std::isnan(app::orders(h, e)[1]));
+  CHECK(app::fitted_order(h, e) == Approx(2.5));
+  CHECK(std::isnan(app::fitted_order(std::vector<double>{1, 1}, std::vector<double>{1, 2})));
+  for (const double same : {0.3, 0.0}) {
+    const std::vector<double> widths{1, 2, 4}, equal(3, same);
+    CHECK(std::isnan(app::orders(widths, equal)[1]));
+    CHECK(std::isnan(app::fitted_order(widths, equal)));
+  }
+}
+
+TEST_CASE("a sweep runs the list into folders, and measures the order of the time step") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", lone_vortex);
+  const auto outcome = call(
+      "run vortex.toml time.scheme=rk4,rk2 time.dt=0.02,0.01,0.005 velocity.method=direct", folder);
+  CAPTURE(outcome.out, outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(fs::exists(folder / "runs/vortex/time.scheme=rk2,time.dt=0.01/summary.json"));
+  // Two fits, one a scheme: the moment of the rings is carried to order 4 + 1 and 2 + 1 (rotation).
+  std::istringstream lines(outcome.out);
+  std::vector<double> fits;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first;
+    double order = 0;
+    if (words >> first >> order && first == "all") fits.push_back(order);
+  }
+  REQUIRE(fits.size() == 2);
+  CHECK(fits[0] == Approx(5).margin(0.3));
+  CHECK(fits[1] == Approx(3).margin(0.3));
+  const std::string csv = text_of(folder / "runs/vortex/sweep.csv");
+  CHECK(csv.find("\ntime.scheme,time.dt,steps,blobs,particle_steps,seconds,second_moment_max\n") !=
+        std::string::npos);
+  CHECK(csv.find("\nrk2,0.01,8,") != std::string::npos);
+}
+
+TEST_CASE("the table has gaps for what was not reached, for runs that failed and for words") {
+  const app::SweepPlan plan{.fixed = {}, .axes = {{"k", {"1", "2", "4"}}}};
+  const auto run = [](const std::string& value, checks::Reached a, double b) {
+    return app::Member{.values = {value},
+                       .result = {.finished = true,
+                                  .verdicts = {{"a_max", 0.5, a}, {"b_max", 0.5, {b}}},
+                                  .steps = 5,
+                                  .most_blobs = 7,
+                                  .seconds = 1}};
+  };
+  const checks::Reached late{.value = {}, .why = "the run ends at T = 1"};
+  std::vector<app::Member> members{run("1", {0.1}, 0.1), run("2", late, 0.4), run("4", {0.9}, NAN)};
+  CHECK(app::table(plan, members) ==
+        "  k  steps  blobs  seconds  a_max  order  b_max  order\n"
+        "  1      5      7        1    0.1           0.1       \n"
+        "  2      5      7        1                  0.4   2.00\n"
+        "  4      5      7        1    0.9                     \n"
+        "all                                 1.58          2.00\n");
+  CHECK(app::what_went_wrong(plan, members) ==
+        "0 of 3 runs failed, 1 missed their checks: k=4 missed its check: a_max 0.9 of 0.5, b_max "
+        "not finite of 0.5");
+  members[1] = {.values = {"2"}, .failure = "step 3: too many"};
+  CHECK(app::table(plan, members).find("\n  2  failed                 ") != std::string::npos);
+  CHECK(app::what_went_wrong(plan, members)
+            .starts_with("1 of 3 runs failed, 1 missed their checks: k=2 failed: step 3: too many; "
+                         "k=4 missed"));
+  CHECK(app::what_went_wrong(plan, std::span(members).first(1)).empty());
+  for (app::Member& m : members) m.values = {"word"};
+  CHECK(app::table(plan, members).find("all") == std::string::npos);
+}
+
+namespace {
+
+std::string last_line(const std::string& text) {
+  const auto end = text.find_last_not_of('\n');
+  return text.substr(text.rfind('\n', end) + 1, end - text.rfind('\n', end));
+}
+
+}  // namespace
+
+TEST_CASE("a sweep of which a run fails or misses its check runs the others, and leaves 1") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", lone_vortex);
+  fs::create_directories(folder / "failing");
+  folder.write("failing/time.dt=0.02", "where the folder of a run should be");
+  const auto failing = call("run vortex.toml time.dt=0.02,0.04 --out failing", folder);
+  CAPTURE(failing.out, failing.err);
+  CHECK(failing.code == 1);
+  CHECK(last_line(failing.out)
+            .starts_with("1 of 2 runs failed, 0 missed their checks: time.dt=0.02 failed: "));
+  CHECK(fs::exists(folder / "failing/time.dt=0.04/summary.json"));
+  CHECK(text_of(folder / "failing/sweep.csv").find("\n0.02,,,,,\n0.04,2,") != std::string::npos);
+
+  const std::string missing =
+      "run vortex.toml time.dt=0.02,0.04 --out missing velocity.method=direct "
+      "check.second_moment_max=";
+  const auto missed = call(missing + "1e-30", folder);
+  CHECK(missed.code == 1);
+  CHECK(last_line(missed.out).starts_with("0 of 2 runs failed, 2 missed their checks: "));
+
+  // Every run has its end already; what is asked may change.
+  const auto again = call(missing + "1 --resume", folder);
+  CAPTURE(again.err);
+  CHECK(again.code == 0);
+  CHECK(last_line(again.out).starts_with("results in "));
+}
+
+TEST_CASE("a sweep that is stopped says where, leaves 1, and goes on from there") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", lone_vortex);
+  const auto stopped =
+      shell("'" VORTREE_PROGRAM
+            "' run vortex.toml time.end=0.08,1000 --out broken &\n"
+            "until [ \"$(grep -c '' broken/time.end=1000/report.csv)\" -gt 3 ]; do sleep 0.01; done"
+            " 2>/dev/null\n"
+            "kill -INT $!; wait $!",
+            folder);
+  CAPTURE(stopped.err);
+  CHECK(stopped.code == 1);
+  CHECK(last_line(stopped.err) == "vortree: the sweep has stopped in run 2 of 2");
+  CHECK(text_of(folder / "broken/sweep.csv").find("\n0.08,8,") != std::string::npos);
+}
+
+TEST_CASE("runs that would be the same, or in one folder, are refused before anything runs") {
+  const TemporaryFolder folder;
+  folder.write("vortex.toml", lone_vortex);
+  const std::pair<std::string, std::string> rows[] = {
+      {"time.dt=0.02,2e-2", "time.dt=2e-2 is the same run as time.dt=0.02\n"},
+      {"time.dt=0.02,0.02", "time.dt=0.02 is the same run as time.dt=0.02\n"},
+      {"accuracy=0.04,0.02 merging.reach=2 merging.cap=1.1 velocity.tolerance=1e-6",
+       "accuracy=0.02 is the same run as accuracy=0.04: all that an accuracy chooses is written\n"},
+      {"title=\"a b\",\"a_b\"", "would run in the folder of"},
+      {"seed=1,2,3,4,5,6,7,8,9,10 time.dt=" +
+           [] {
+             std::string values = "0.01";
+             for (int k = 0; k < 1000; ++k) values += fmt::format(",{}", 0.02 + 1e-5 * k);
+             return values;
+           }(),
+       "a sweep of more than 10000 runs"}};
+  for (const auto& [words, about] : rows) {
+    const auto outcome = call("run vortex.toml " + words, folder);
+    CAPTURE(words.substr(0, 100), outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.error_lines() == 1);
+    CHECK(outcome.err.find(about) != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "runs"));
+  }
+}
+
+TEST_CASE("a sweep with a wrong value is refused before anything runs") {
+  const TemporaryFolder folder;
+  folder.write("vortex.toml", lone_vortex);
+  const auto outcome = call("run vortex.toml time.dt=0.02,-1", folder);
+  CHECK(outcome.code == 2);
+  CHECK(outcome.error_lines() == 1);
+  CHECK_FALSE(fs::exists(folder / "runs"));
+}

@@ -1,0 +1,197 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "app/program.hpp"
+#include "checks/warnings.hpp"
+
+using namespace vortree;
+using namespace vortree::test;
+
+namespace {
+
+const std::string cylinder = R"(
+accuracy = 0.04
+[flow]
+reynolds = 100
+stream = [1.0, 0.0]
+[body]
+radius = 0.5
+[time]
+end = 1.0
+[output]
+frames = 0.5
+)";
+
+const std::string vortex = R"(
+[flow]
+nu = 1e-3
+[initial]
+kind = "lamb_oseen"
+circulation = 1.0
+core = 0.2
+[cores]
+sigma_0 = 0.04
+sigma_max = 0.05
+[merging]
+tolerance = 5e-4
+[time]
+dt = 0.02
+end = 1.0
+)";
+
+std::vector<std::string> doubted(const std::vector<std::string>& overrides) {
+  return checks::doubts(io::parse_scene(cylinder, "cylinder.toml", overrides));
+}
+
+bool about(const std::vector<std::string>& doubts, const std::string& key) {
+  return std::ranges::any_of(doubts, [&](const std::string& d) { return d.starts_with(key); });
+}
+
+}  // namespace
+
+TEST_CASE("settings that an accuracy chose are not doubted, from Re = 20 to 10 000") {
+  for (const char* re : {"20", "550", "10000"})
+    for (const char* accuracy : {"0.03", "0.01", "0.003"}) {
+      const auto doubts =
+          doubted({std::string("flow.reynolds=") + re, std::string("accuracy=") + accuracy});
+      for (const std::string& doubt : doubts)
+        UNSCOPED_INFO(re << ", " << accuracy << ": " << doubt);
+      CHECK(doubts.empty());
+    }
+}
+
+TEST_CASE("ten times too large a step, too wide cores and too few panels are each named") {
+  const std::string fine = "accuracy=0.01";
+  CHECK(about(doubted({fine, "time.dt=0.4"}), "time.dt = 0.4"));
+  CHECK(about(doubted({fine, "cores.sigma_max=0.4"}), "cores.sigma_max = 0.4"));
+  CHECK(about(doubted({fine, "time.dt=0.4", "cores.sigma_max=0.04", "cores.sigma_0=0.03"}),
+              "cores.sigma_max = 0.04"));
+  CHECK(about(doubted({fine, "body.panels=16"}), "body.panels = 16"));
+  CHECK(about(doubted({fine, "cores.sigma_0=0.002"}), "cores.sigma_0 = 0.002"));
+}
+
+TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws, is named") {
+  const auto doubted_of = [&](const std::vector<std::string>& overrides) {
+    return checks::doubts(io::parse_scene(vortex, "vortex.toml", overrides));
+  };
+  CHECK(doubted_of({}).empty());
+  CHECK(about(doubted_of({"flow.nu=1"}), "cores.sigma_max = 0.05: one step"));
+  CHECK(about(doubted_of({"splitting.alpha=0.99"}), "cores.sigma_max = 0.05: one step"));
+  CHECK(about(doubted_of({"splitting.alpha=0.3"}), "splitting.alpha"));
+  CHECK(about(doubted_of({"merging.tolerance=0"}), "merging.tolerance = 0"));
+  CHECK(about(doubted_of({"merging.tolerance=1e9"}), "merging.tolerance"));
+  CHECK(about(doubted_of({"merging.tolerance=1e-5"}), "merging.tolerance = 1e-05: hardly"));
+  CHECK(about(doubted_of({"merging.cap=0.33"}), "merging.cap = 0.33"));
+  CHECK(about(doubted_of({"merging.cap=0.01"}), "cores.sigma_max = 0.05: one step"));
+  CHECK(about(doubted_of({"merging.reach=1e9"}), "merging.reach"));
+  CHECK(about(doubted_of({"merging.reach=1e-9"}), "merging.reach"));
+  CHECK(about(doubted_of({"velocity.tolerance=0.1"}), "velocity.tolerance"));
+  CHECK(about(doubted_of({"velocity.order=1"}), "velocity.order"));
+  CHECK(about(doubted_of({"initial.spacing=2"}), "initial.spacing"));
+  CHECK(about(doubted_of({"initial.faintest=0.1"}), "initial.faintest"));
+  CHECK(about(doubted_of({"initial.kind=dipole", "initial.separation=0.1"}), "initial.separation"));
+  CHECK(about(doubted_of({"initial.kind=tripole", "initial.perturbation=-1e3"}),
+              "initial.perturbation"));
+  CHECK(about(doubted_of({"diffusion.kind=random_walk", "flow.nu=1"}), "time.dt"));
+  const std::vector<std::string> window{"output.fields=[1]", "output.field_spacing=0.01"};
+  CHECK(about(doubted_of({window[0], window[1], "output.window=[5,5,6,6]"}), "output.window"));
+  CHECK(about(doubted_of({window[0], "output.field_spacing=0.9", "output.window=[-1,-1,1,1]"}),
+              "output.field_spacing"));
+  CHECK(doubted_of({window[0], window[1], "output.window=[5,5,6,6]", "flow.stream=[6,6]"}).empty());
+}
+
+TEST_CASE("Reynolds numbers that no reference has, edges, and vortices within a body are named") {
+  CHECK(about(doubted({"flow.reynolds=1"}), "flow: the Reynolds number is 1;"));
+  CHECK(about(doubted({"flow.reynolds=1e5"}), "flow: the Reynolds number is 1e+05;"));
+  const std::vector<std::string> thin{"body.shape=ellipse", "body.across=0.01",
+                                      "body.incidence=30"};
+  CHECK(about(doubted({thin[0], thin[1], thin[2], "body.panels=1000"}), "body.panels = 1000"));
+  CHECK(about(doubted({thin[0], thin[1], thin[2]}), "body.panels = 4000"));
+  CHECK(doubted({thin[0], "body.across=0.05", thin[2]}).empty());
+  CHECK(about(doubted({"cores.coarsen_from=1e-3"}), "cores.coarsen_from"));
+  CHECK(about(doubted({"initial.kind=lamb_oseen", "initial.circulation=1", "initial.core=0.3",
+                       "initial.centre=[0.1,0.1]"}),
+              "initial.centre"));
+  const std::string foil = R"(
+accuracy = 0.01
+[flow]
+reynolds = 1000
+stream = [1.0, 0.0]
+[body]
+shape = "naca0012"
+chord = 1.0
+[time]
+end = 1.0
+)";
+  const auto at_incidence = [&](const std::string& degrees) {
+    return checks::doubts(io::parse_scene(foil, "foil.toml", {{"body.incidence=" + degrees}}));
+  };
+  CHECK(at_incidence("10").empty());
+  CHECK(about(at_incidence("90"), "time.dt"));
+  CHECK(about(at_incidence("-90"), "time.dt"));
+}
+
+TEST_CASE(
+    "a hard run is warned of before it starts, and stays finite or leaves its last good frame") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("cylinder.toml", cylinder);
+  const std::string hard = GENERATE(values<std::string>(
+      {"time.dt=0.5 output.frames=0.5", "cores.sigma_max=0.45", "body.panels=12", "time.dt=1e-1"}));
+  const auto outcome = call("run cylinder.toml " + hard, folder);
+  CAPTURE(hard, outcome.out, outcome.err);
+  if (hard != "time.dt=1e-1")
+    CHECK(outcome.err.find("vortree: warning: " + hard.substr(0, hard.find('='))) !=
+          std::string::npos);
+  else
+    CHECK(outcome.err.empty());
+  if (outcome.code != 0) {
+    CHECK(outcome.code == 1);
+    CHECK(outcome.err.find("the last good frame is that of step") != std::string::npos);
+  }
+  const auto finite = shell(
+      "/usr/bin/python3 -c \"import h5py, numpy; f = h5py.File('runs/cylinder/frames.h5');"
+      " print(all(numpy.isfinite(f[n]['x'][()]).all() for n in f if n.startswith('frame_')))\"",
+      folder);
+  CHECK(finite.out == "True\n");
+}
+
+TEST_CASE("blobs that multiply end the run before they fill the machine") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("cylinder.toml", cylinder);
+  const auto outcome = call(
+      "run cylinder.toml time.dt=0.1 cores.sigma_max=0.03 cores.sigma_0=0.02 time.end=3", folder);
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err.find("they multiply faster than they merge") != std::string::npos);
+  CHECK(outcome.err.find("the last good frame is that of step") != std::string::npos);
+}
+
+TEST_CASE("a run that breaks keeps the state before the step that broke it") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("cylinder.toml", cylinder);
+  // A vortex of a thousand U D beside the body has more vorticity than any such flow.
+  const auto outcome = call(
+      "run cylinder.toml initial.kind=lamb_oseen initial.circulation=1000 initial.core=0.3 "
+      "initial.centre=[3,0] initial.faintest=0.1",
+      folder);
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err.find("step 1, t = ") != std::string::npos);
+  CHECK(outcome.err.find("the last good frame is that of step 0 in") != std::string::npos);
+}
+
+TEST_CASE("a vortex of which hardly anything merges runs, and is warned of") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  for (const char* override : {"merging.tolerance=2e-6", "merging.cap=0.33", "merging.reach=0.2"}) {
+    const auto outcome =
+        call(std::string("run vortex.toml --overwrite time.end=0.4 ") + override, folder);
+    CAPTURE(override, outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.find("warning: merging.") != std::string::npos);
+  }
+}

@@ -1,0 +1,248 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "checks/made_up.hpp"
+#include "exact/theodorsen.hpp"
+
+using namespace vortree;
+using namespace vortree::test;
+
+namespace {
+
+// T = 2 t.
+const std::string cylinder = R"(
+[flow]
+nu = 0.01
+stream = [1.0, 0.0]
+[body]
+radius = 0.5
+panels = 16
+[cores]
+sigma_0 = 0.05
+sigma_max = 0.1
+[time]
+dt = 0.05
+end = 10
+)";
+
+const double pi = std::numbers::pi;
+
+// Known up to T = 4; the length of the wake from T = 2 on only, the angle everywhere but 0 at
+// first.
+std::string known() {
+  std::string text = "T,C_D,L_over_D,sep_deg\n";
+  for (double T = 0; T < 4.05; T += 0.1)
+    text += fmt::format("{},{},{},{}\n", T, 1 + 0.1 * T, T < 1.95 ? "" : fmt::format("{}", T - 1),
+                        T < 0.95 ? 0 : 20 * T);
+  return text;
+}
+
+struct Reference {
+  std::string column;
+  double (*value)(double T);
+};
+
+using Words = std::vector<std::string>;
+
+MadeUpRun held(const std::string& check, Words more = {}) {
+  more.push_back("check." + check);
+  return MadeUpRun(cylinder, more, {{"known.csv", known()}});
+}
+
+}  // namespace
+
+TEST_CASE("drag, wake and separation are held against a reference, where it has values") {
+  struct Row {
+    std::string check;
+    const char* column;
+    double (*exact)(double T);
+    bool relative;
+  };
+  const Row row = GENERATE(values<Row>({
+      {"drag_max", "cd_impulse", [](double T) { return 1 + 0.1 * T; }, true},
+      {"drag_rms", "cd_impulse", [](double T) { return 1 + 0.1 * T; }, true},
+      {"bubble_max", "bubble_length", [](double T) { return T - 1; }, true},
+      {"separation_max_deg", "separation_deg", [](double T) { return T < 0.95 ? 0 : 20 * T; },
+       false},
+  }));
+  CAPTURE(row.check);
+  MadeUpRun run = held(row.check + "=0.02", {"check.drag_reference=known.csv"});
+  const auto off_by = [&](double part) {
+    return run
+        .with(row.column,
+              [&row, part](double t) {
+                return row.relative ? (1 + part) * row.exact(2 * t) : row.exact(2 * t) + part;
+              })
+        .verdict(60);
+  };
+  CHECK(off_by(0).passed());
+  CHECK(*off_by(0).reached.value < 1e-12);
+  for (const double part : {0.01, -0.01}) {
+    CHECK(off_by(part).passed());
+    CHECK(*off_by(part).reached.value == Approx(0.01));
+  }
+  for (const double part : {0.03, -0.03, 1.0}) {
+    CHECK(off_by(part).missed());
+    CHECK(*off_by(part).reached.value == Approx(std::abs(part)));
+  }
+  CHECK(off_by(NAN).missed());
+  CHECK(off_by(INFINITY).missed());
+}
+
+TEST_CASE("one value that is not finite among good ones is missed, not passed over") {
+  MadeUpRun run = held("drag_max=0.02", {"check.drag_reference=known.csv"});
+  for (const double bad : {double(NAN), double(INFINITY)}) {
+    const auto verdict =
+        run.with("cd_impulse", [&](double t) { return t == 0.5 ? bad : 1 + 0.2 * t; }).verdict(40);
+    CHECK(verdict.missed());
+    CHECK(checks::verdict_line(std::vector{verdict}) ==
+          "check FAILED: drag_max is not finite (missed)");
+  }
+}
+
+TEST_CASE("only rows from the asked time on count, and a run that ends before has not reached it") {
+  MadeUpRun run = held("drag_max=0.02", {"check.drag_reference=known.csv", "check.drag_from=2.0"});
+  run.with("cd_impulse", [](double t) { return t < 0.95 ? 7 : 1 + 0.2 * t; });
+  CHECK(run.verdict(30).passed());
+  const checks::Verdict early = run.verdict(10);
+  CHECK_FALSE(early.passed());
+  CHECK_FALSE(early.missed());
+  CHECK(early.reached.why == "the run ends at T = 1");
+  run.with("cd_impulse", 7);
+  CHECK(run.verdict(30).missed());
+}
+
+TEST_CASE("a reference without values at these times is said to have none") {
+  MadeUpRun run = held("drag_max=0.02", {"check.drag_reference=known.csv", "check.drag_from=5"});
+  const checks::Verdict verdict = run.verdict(60);
+  CHECK_FALSE(verdict.reached.value);
+  CHECK(verdict.reached.why == "the reference has no values for these times");
+}
+
+TEST_CASE("a reference of zero is compared with as it is") {
+  MadeUpRun run = held("separation_max_deg=0.5", {"check.drag_reference=known.csv"});
+  CHECK(run.verdict(5).passed());  // 0 of 0
+  CHECK(held("mean_lift_max=0.02", {"check.mean_lift=0.0"})
+            .with("cl_impulse", 0.01)
+            .verdict(120)
+            .passed());
+  CHECK(held("mean_lift_max=0.02", {"check.mean_lift=0.0"})
+            .with("cl_impulse", 0.03)
+            .verdict(120)
+            .missed());
+  CHECK(held("lift_routes_max=0.03").verdict(20).passed());  // no lift by either
+  CHECK(held("lift_routes_max=0.03").with("cl_wall", 0.1).verdict(20).missed());
+  CHECK(held("routes_max=0.03").verdict(20).passed());
+  CHECK(held("routes_max=0.03").with("cd_impulse", 0.1).verdict(20).missed());
+}
+
+TEST_CASE("two routes to a force agree within what is asked, or not") {
+  for (const char* pair : {"routes_max", "lift_routes_max"}) {
+    const std::string letter = std::string(pair) == "routes_max" ? "cd" : "cl";
+    CAPTURE(pair);
+    MadeUpRun run = held(std::string(pair) + "=0.02", {"check.routes_from=0.5"});
+    run.with(letter + "_wall", 1.0);
+    CHECK(run.with(letter + "_impulse", 1.01).verdict(20).passed());
+    CHECK(*run.verdict(20).reached.value == Approx(0.01).epsilon(0.02));
+    CHECK(run.with(letter + "_impulse", 0.97).verdict(20).missed());
+    CHECK(run.with(letter + "_impulse", [](double t) { return t < 0.24 ? 5 : 1.0; })
+              .verdict(20)
+              .passed());
+    CHECK_FALSE(run.verdict(4).reached.value);
+  }
+  MadeUpRun lift = held("lift_max=0.02");
+  CHECK(lift.with("cl_wall", -0.01).verdict(20).passed());
+  CHECK(lift.with("cl_wall", -0.03).verdict(20).missed());
+  CHECK(lift.with("cl_wall", 0.0).with("cl_impulse", 0.03).verdict(20).missed());
+}
+
+TEST_CASE("a wake that sheds has its frequency and its means, from a hundred rows on") {
+  const auto wave = [](double frequency, double mean) {
+    return [=](double t) { return mean + std::sin(2 * pi * frequency * t); };
+  };
+  MadeUpRun strouhal = held("strouhal_max=0.03", {"check.strouhal=0.2", "check.shedding_from=10"});
+  CHECK(strouhal.with("cl_impulse", wave(0.2, 0)).verdict(1000).passed());
+  CHECK(strouhal.with("cl_impulse", wave(0.21, 0)).verdict(1000).missed());
+  CHECK(strouhal.with("cl_impulse", 0.0).verdict(1000).missed());
+  CHECK(strouhal.verdict(150).reached.why == "the run ends at T = 15");
+  MadeUpRun drag = held("mean_drag_max=0.03", {"check.mean_drag=1.3"});
+  CHECK(drag.with("cd_impulse", wave(0.2, 1.32)).verdict(1000).passed());
+  CHECK(drag.with("cd_impulse", wave(0.2, 1.4)).verdict(1000).missed());
+  CHECK_FALSE(drag.verdict(99).reached.value);
+}
+
+TEST_CASE("wall vorticity is held against a reference at the times of frames") {
+  std::string reference = "T,theta_deg,omega_R_over_U\n", wall = "t,T,angle_deg,vorticity,sheet\n";
+  for (const double T : {0.5, 1.0, 9.0})
+    for (int angle = 0; angle <= 180; angle += 10)
+      reference += fmt::format("{},{},{}\n", T, angle, T * std::sin(angle * pi / 180));
+  // R/U = 0.5: vorticity is twice the reference's; at T = 0.99 and 1.002 there are frames.
+  for (const auto& [T, factor] : {std::pair{0.49, 2.0}, {0.99, 7.0}, {1.002, 2.06}})
+    for (int angle = 5; angle < 180; angle += 10)
+      wall += fmt::format("{},{},{},{},0\n", T / 2, T, angle,
+                          factor * std::round(10 * T) / 10 * std::sin(angle * pi / 180));
+  const auto run = [&](const std::string& check, const Words& more = {}) {
+    Words overrides{"check.wall_vorticity_reference=known.csv", "check." + check};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return MadeUpRun(cylinder, overrides, {{"known.csv", reference}, {"wall.csv", wall}})
+        .verdict(20);
+  };
+  CHECK(*run("wall_vorticity_max=0.04").reached.value == Approx(0.03).epsilon(0.02));
+  CHECK(*run("wall_vorticity_rms=0.04").reached.value == Approx(0.03 / std::sqrt(2)).epsilon(0.02));
+  CHECK(run("wall_vorticity_max=0.04").passed());
+  CHECK(run("wall_vorticity_max=0.02").missed());
+  CHECK(run("wall_vorticity_rms=0.02").missed());
+  CHECK(run("wall_vorticity_max=0.04", {"check.wall_vorticity_from=3"}).reached.why ==
+        "the run ends at T = 2");
+}
+
+TEST_CASE("a body that plunges in fluid at rest has the drag and mass that are known, or not") {
+  const Words plunging{"flow.stream=[0,0]", "plunge.amplitude=0.1", "plunge.frequency=0.5",
+                       "time.dt=0.02"};
+  const auto run = [&](const std::string& check, const char* known) {
+    Words overrides = plunging;
+    overrides.insert(overrides.end(), {"check." + check + "_max=0.05", "check." + check + known});
+    MadeUpRun made(cylinder, overrides);
+    // C_D |sin| sin against the velocity, C_M with the place: F = -D/2 C_D |V| V - pi/4 D^2 C_M V'.
+    const double U = made.flow().speed, omega = pi;
+    made.with("cd_impulse", [=](double t) {
+      const double V = -std::sin(omega * t), A = -std::cos(omega * t) * omega / U * U;
+      return 2 * (-0.5 * 2.0 * std::abs(V) * V - pi / 4 * 1.1 * A / U);
+    });
+    return std::pair{made.verdict(400), made.verdict(50)};
+  };
+  for (const std::string check : {"morison_drag", "morison_mass"}) {
+    CAPTURE(check);
+    const bool drag = check == "morison_drag";
+    const auto [right, early] = run(check, drag ? "=2.0" : "=1.1");
+    CHECK(*right.reached.value < 0.01);
+    CHECK(right.passed());
+    CHECK(early.reached.why == "the run ends before a whole period");
+    const auto [wrong, ignored] = run(check, drag ? "=1.8" : "=1.0");
+    CHECK(wrong.missed());
+    CHECK(*wrong.reached.value == Approx(drag ? 2.0 / 1.8 - 1 : 0.1).epsilon(0.1));
+  }
+}
+
+TEST_CASE("the lift of a body that plunges across a stream is a plate's, or not") {
+  MadeUpRun run(cylinder, {"plunge.amplitude=0.05", "plunge.frequency=0.5", "time.dt=0.02",
+                           "check.theodorsen_max=0.05"});
+  const double omega = pi, k = omega * 0.5;
+  const std::complex<double> plate = exact::lift_of_plunge(0.1, k);
+  const auto lift = [=](std::complex<double> factor) {
+    return [=](double t) { return std::real(factor * plate * std::polar(1.0, omega * t)); };
+  };
+  CHECK(run.with("cl_impulse", lift(1.0)).verdict(400).passed());
+  CHECK(*run.verdict(400).reached.value < 1e-3);
+  CHECK(run.with("cl_impulse", lift(1.1)).verdict(400).missed());
+  CHECK(run.with("cl_impulse", lift({0, 1})).verdict(400).missed());  // the size is right
+  CHECK_FALSE(run.verdict(99).reached.value);
+}
+
+TEST_CASE("a plunge along the stream has no plate's lift, and its own counts as it is") {
+  MadeUpRun run(cylinder, {"plunge.amplitude=0.05", "plunge.frequency=0.5", "time.dt=0.02",
+                           "plunge.direction=[1,0]", "check.theodorsen_max=0.05"});
+  CHECK(run.verdict(400).passed());
+  CHECK(run.with("cl_impulse", [](double t) { return std::sin(pi * t); }).verdict(400).missed());
+}

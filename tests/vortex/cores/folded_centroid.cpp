@@ -1,0 +1,61 @@
+#include "vortex/cores/folded_centroid.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "vortex/strained_flows.hpp"
+#include "vortex/cores/folded_core.hpp"
+
+using namespace vortree;
+using vortex::Core;
+using vortex::Covariance;
+using vortex::Placed;
+
+namespace {
+
+const test::FlatWall flat;
+constexpr double s2 = 1e-4;  // of all cores here: sigma = 0.01
+
+/// How far a blob is from coming back when it is put around what it acts as: its acting position,
+/// in cores, and its variance across the wall, relative.
+struct Missed {
+  double mean = 0, across = 0, other = 0;
+};
+Missed missed(const Placed& blob, const body::Shape& wall) {
+  const Placed acts = acting_blob(blob.centre, blob.core, &wall);
+  const Placed back = place_acting(acts, &wall);
+  const Placed again = acting_blob(back.centre, back.core, &wall);
+  const Vec2 n = wall.nearest(blob.centre).normal, off = again.centre - acts.centre;
+  const Covariance v = acts.core.covariance(n), w = again.core.covariance(n);
+  return {std::hypot(off.x, off.y) / std::sqrt(s2), std::abs(w.nn / v.nn - 1),
+          std::max(std::abs(w.nt - v.nt), std::abs(w.tt - v.tt)) / s2};
+}
+Missed worst(const body::Shape& wall, double top) {
+  test::Uniform uniform(5);
+  Missed most;
+  for (int k = 0; k < 2000; ++k) {
+    const double y = 0.05 * uniform();
+    const Missed one =
+        missed({{0, top + y}, {s2, test::strain(uniform, s2, 0.9 * uniform())}}, wall);
+    most.mean = std::max(most.mean, one.mean);
+    most.across = std::max(most.across, one.across);
+    most.other = std::max(most.other, one.other);
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("a blob put around what it acts as acts as before: mean, width and tilt") {
+  const Missed at_flat = worst(flat, 0);
+  CAPTURE(at_flat.mean, at_flat.across, at_flat.other);
+  CHECK(at_flat.mean < 1e-9);
+  CHECK(at_flat.across < 1e-8);
+  CHECK(at_flat.other < 1e-15);
+  for (double radius : {0.5, 5.0, 1e4}) {
+    const Missed curved = worst(*body::circle({}, radius), radius);
+    CAPTURE(radius, curved.mean, curved.across, curved.other);
+    CHECK(curved.mean < 1e-9);
+    CHECK(curved.across < 1e-6);
+    CHECK(curved.other < 1e-13);
+  }
+}

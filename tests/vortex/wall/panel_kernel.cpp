@@ -1,0 +1,52 @@
+#include "vortex/wall/panel_kernel.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "vortex/flows.hpp"
+
+using namespace vortree;
+namespace panel = vortree::vortex::panel;
+
+TEST_CASE("the angle of a vector is that of atan2, in every direction and of every size") {
+  bench::Uniform uniform(17);
+  for (int k = 0; k < 4000; ++k) {
+    Lanes x, y;
+    for (int lane = 0; lane < lane_count; ++lane) {
+      const double phi = std::numbers::pi * (2 * uniform() - 1);
+      const double size = std::pow(10, 20 * (uniform() - 0.5));
+      x[lane] = size * std::cos(phi);
+      y[lane] = size * std::sin(phi) * std::pow(10, k % 4 == 0 ? -12 * uniform() : 0);
+    }
+    const Lanes angle = vortex::angle_of(y, x);
+    for (int lane = 0; lane < lane_count; ++lane)
+      CHECK(std::abs(angle[lane] - std::atan2(y[lane], x[lane])) <= 5e-16);
+  }
+  const double along[][2] = {{0, 0}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {1, 1}, {-1, 1}, {-1, -1}};
+  for (const auto& [y, x] : along)
+    CHECK(vortex::angle_of(fill(y), fill(x))[0] == Approx(std::atan2(y, x)).epsilon(1e-15));
+}
+
+TEST_CASE("a vortex does not move its own place") {
+  const Vec2 at{0.3, 0.4};
+  CHECK((panel::point_velocity(at, at).x == 0 && panel::point_velocity(at, at).y == 0));
+  const panel::Vectors u = panel::point_velocities(at, {fill(0.3), fill(0.4)});
+  CHECK((u.x[0] == 0 && u.y[0] == 0));
+}
+
+TEST_CASE("a panel's angle and velocity are the same in vectors and alone") {
+  bench::Uniform uniform(19);
+  const auto place = [&] { return Vec2{uniform() - 0.5, uniform() - 0.5}; };
+  const auto all = [](Vec2 a) { return panel::Vectors{fill(a.x), fill(a.y)}; };
+  for (int k = 0; k < 1000; ++k) {
+    const Vec2 at = place(), a = place(), b = place(), d = b - a;
+    const Vec2 chord = (1 / std::sqrt(dot(d, d))) * d;
+    CHECK(panel::angles(at, all(a), all(b))[0] == Approx(panel::angle(at, a, b)).epsilon(1e-14));
+    const Vec2 u = panel::velocity(at, a, b), w = panel::point_velocity(at, a);
+    const panel::Vectors many = panel::velocities(at, all(a), all(b), all(chord)),
+                         points = panel::point_velocities(at, all(a));
+    CHECK(many.x[0] == Approx(u.x).margin(1e-14));
+    CHECK(many.y[0] == Approx(u.y).margin(1e-14));
+    CHECK(points.x[0] == Approx(w.x).epsilon(1e-14));
+    CHECK(points.y[0] == Approx(w.y).epsilon(1e-14));
+  }
+}

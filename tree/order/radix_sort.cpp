@@ -1,0 +1,257 @@
+#include "tree/order/radix_sort.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "tree/base/memory.hpp"
+#include "tree/base/parallel.hpp"
+#include "tree/order/run_sort.hpp"
+
+namespace vortree::tree {
+
+namespace {
+
+// More buckets than lines of the nearest cache make writing to them slow.
+constexpr int most_first_bits = 10, next_bits = 8;
+
+// A bucket is large if it alone would keep a thread busy for so much of its share.
+constexpr std::size_t large_part = 8;
+
+// So many keys with the first bits in common will have more in common than the next few.
+constexpr std::size_t crowd = 100000;
+
+Key differing_bits(std::span<const Key> keys) {
+  Key differing = 0;
+  const Key first = keys[0];
+#pragma omp parallel for schedule(static) reduction(| : differing) if (keys.size() > worth_sharing)
+  for (std::size_t i = 0; i < keys.size(); ++i) differing |= keys[i] ^ first;
+  return differing;
+}
+
+Key differing_bits(std::span<const Record> records) {
+  Key differing = 0;
+#pragma omp parallel for schedule(static) \
+    reduction(|                           \
+              : differing) if (records.size() > worth_sharing)
+  for (std::size_t i = 0; i < records.size(); ++i) differing |= records[i].key ^ records[0].key;
+  return differing;
+}
+
+// So many bits below the highest one that differs.
+struct Digit {
+  int low, bits;
+  Digit(Key differing, int most)
+      : low(std::max(0, static_cast<int>(std::bit_width(differing)) - most)),
+        bits(std::min(most, static_cast<int>(std::bit_width(differing)))) {}
+  [[nodiscard]] std::size_t count() const { return std::size_t{1} << bits; }
+  [[nodiscard]] std::size_t operator()(Key key) const { return key >> low & (count() - 1); }
+};
+
+// Numbers keys by where they stand among some of them, picked so that buckets come out about
+// equally full however the keys crowd. A key that was picked twice has a bucket of its own.
+class Splitters {
+ public:
+  explicit Splitters(std::span<const Record> records) {
+    std::array<Key, picked> sample;
+    for (std::size_t s = 0; s < picked; ++s) {
+      sample[s] = records[s * records.size() / picked].key;
+    }
+    std::ranges::sort(sample);
+    std::array<Key, buckets - 1> bounds;
+    bounds.fill(~Key{0});
+    std::size_t n = 0;
+    for (std::size_t s = picked_a_bucket; s < picked; s += picked_a_bucket) {
+      const bool twice = sample[s] == sample[s - 1];
+      if (n == 0 || sample[s] > bounds[n - 1]) bounds[n++] = sample[s];
+      if (twice && sample[s] >= bounds[n - 1] && sample[s] != ~Key{0}) bounds[n++] = sample[s] + 1;
+    }
+    plant(bounds, 0, 1);
+  }
+
+  [[nodiscard]] static std::size_t count() { return buckets; }
+  // The number of bounds that are not above a key, down a binary tree.
+  [[nodiscard]] std::size_t operator()(Key key) const {
+    std::size_t place = 1;
+#pragma GCC unroll 8
+    for (int level = 0; level < levels; ++level) place = 2 * place + (key >= tree_[place]);
+    return place - buckets;
+  }
+
+ private:
+  static constexpr int levels = 8;
+  static constexpr std::size_t buckets = 1 << levels, picked_a_bucket = 8;
+  static constexpr std::size_t picked = buckets / 2 * picked_a_bucket;  // a bucket may become two
+
+  // The bounds from `first` on in order below and at a place of the tree; returns the next one.
+  std::size_t plant(const std::array<Key, buckets - 1>& bounds, std::size_t first,
+                    std::size_t place) {
+    if (place >= buckets) return first;
+    first = plant(bounds, first, 2 * place);
+    tree_[place] = bounds[first];
+    return plant(bounds, first + 1, 2 * place + 1);
+  }
+
+  std::array<Key, buckets> tree_;
+};
+
+// Moves n things to buckets by their digits. Each portion of them counts for itself, so that
+// threads share the work and the order is kept. Returns where each bucket ends.
+template <class Digits, class KeyOf, class Move>
+std::vector<std::uint32_t> part(std::size_t n, std::size_t some, const Digits& digit,
+                                const KeyOf& key_of, const Move& move) {
+  std::vector<std::uint32_t> places(some * digit.count(), 0);
+#pragma omp parallel for schedule(static) if (some > 1)
+  for (std::size_t p = 0; p < some; ++p) {
+    std::uint32_t* counts = &places[p * digit.count()];
+    const Range own = piece(n, p, some);
+    for (std::size_t i = own.first; i < own.last; ++i) ++counts[digit(key_of(i))];
+  }
+  std::vector<std::uint32_t> ends(digit.count());
+  std::uint32_t next = 0;
+  for (std::size_t d = 0; d < digit.count(); ++d) {
+    for (std::size_t p = 0; p < some; ++p) {
+      next += std::exchange(places[p * digit.count() + d], next);
+    }
+    ends[d] = next;
+  }
+#pragma omp parallel for schedule(static) if (some > 1)
+  for (std::size_t p = 0; p < some; ++p) {
+    std::uint32_t* place = &places[p * digit.count()];
+    const Range own = piece(n, p, some);
+    for (std::size_t i = own.first; i < own.last; ++i) move(i, place[digit(key_of(i))]++);
+  }
+  return ends;
+}
+
+class Sorter {
+ public:
+  Sorter(std::span<Key> keys, std::span<std::uint32_t> index)
+      : keys_(keys), index_(index), records_(keys.size()) {
+    const auto threads = static_cast<std::size_t>(omp_get_max_threads());
+    const bool shared = threads > 1 && keys.size() > worth_sharing;
+    large_ = shared ? keys.size() / (threads * large_part) : keys.size();
+  }
+
+  // index_of(i) belongs to key i.
+  template <class IndexOf>
+  void run(Key differing, const IndexOf& index_of) {
+    const std::size_t n = keys_.size();
+    const int bits = (static_cast<int>(std::bit_width(n)) + 2) / 2;
+    const Digit digit(differing, std::min(most_first_bits, bits));
+    const auto ends = part(
+        n, pieces_of(n), digit, [&](std::size_t i) { return keys_[i]; },
+        [&](std::size_t i, std::uint32_t to) {
+          records_[to] = {keys_[i], index_of(i)};
+        });
+    collect(0, ends);
+    const Key left = differing & ((Key{1} << digit.low) - 1);
+#pragma omp parallel if (n > worth_sharing)
+    {
+      RunSort sort_run;
+#pragma omp for schedule(dynamic, 4)
+      for (std::size_t b = 0; b < buckets_.size(); ++b) sort(buckets_[b], left, sort_run);
+    }
+  }
+
+ private:
+  // Parts a bucket anew so that no part is all of it: a crowd by splitters, few by the next bits
+  // that differ.
+  std::vector<std::uint32_t> part_again(Range bucket, Key differing, std::size_t some) {
+    return bucket.size() > crowd ? part_by(Splitters(records(bucket)), bucket, some)
+                                 : part_by(Digit(differing, next_bits), bucket, some);
+  }
+
+  template <class Digits>
+  std::vector<std::uint32_t> part_by(const Digits& digits, Range bucket, std::size_t some) {
+    const std::size_t first = bucket.first;
+    const auto ends = part(
+        bucket.size(), some, digits, [&](std::size_t i) { return records_[first + i].key; },
+        [&](std::size_t i, std::uint32_t to) {
+          keys_[first + to] = records_[first + i].key;
+          index_[first + to] = records_[first + i].index;
+        });
+#pragma omp parallel for schedule(static) if (some > 1)
+    for (std::size_t i = first; i < bucket.last; ++i) records_[i] = {keys_[i], index_[i]};
+    return ends;
+  }
+
+  // Notes buckets for threads to share; large ones are parted first.
+  void collect(std::uint32_t begin, const std::vector<std::uint32_t>& ends) {
+    std::uint32_t first = begin;
+    for (const std::uint32_t end : ends) {
+      const Range bucket{first, begin + end};
+      first = bucket.last;
+      if (bucket.empty()) continue;
+      const Key differing = bucket.size() > large_ ? differing_bits(records(bucket)) : 0;
+      if (differing != 0) {
+        collect(bucket.first, part_again(bucket, differing, shared_pieces));
+      } else {
+        buckets_.push_back(bucket);
+      }
+    }
+  }
+
+  // `differing` bits may be; whether they do is only asked if they are too many.
+  void sort(Range bucket, Key differing, RunSort& sort_run) {
+    const int most = RunSort::most_bits(bucket.size());
+    const auto few = [=](Key bits) {
+      return bits == 0 ||
+             (bucket.size() <= crowd && static_cast<int>(std::bit_width(bits)) <= most);
+    };
+    if (!few(differing)) differing = differing_bits(records(bucket));
+    if (few(differing)) {
+      sort_run(records(bucket), differing, keys_.subspan(bucket.first, bucket.size()),
+               index_.subspan(bucket.first, bucket.size()));
+      return;
+    }
+    std::uint32_t first = bucket.first;
+    for (const std::uint32_t end : part_again(bucket, differing, 1)) {
+      const Range smaller{first, bucket.first + end};
+      first = smaller.last;
+      if (!smaller.empty()) sort(smaller, differing, sort_run);
+    }
+  }
+
+  [[nodiscard]] std::span<const Record> records(Range bucket) const {
+    return std::span(records_).subspan(bucket.first, bucket.size());
+  }
+
+  std::span<Key> keys_;
+  std::span<std::uint32_t> index_;
+  Unwritten<Record> records_;
+  std::vector<Range> buckets_;
+  std::size_t large_;
+};
+
+}  // namespace
+
+Unwritten<std::uint32_t> radix_sort(std::span<Key> keys) {
+  Unwritten<std::uint32_t> index(keys.size());
+  const Key differing = keys.empty() ? 0 : differing_bits(keys);
+  if (differing == 0) {
+    std::iota(index.begin(), index.end(), 0u);
+  } else {
+    Sorter(keys, index).run(differing, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+  }
+  return index;
+}
+
+void radix_sort(std::span<Key> keys, std::span<std::uint32_t> index) {
+  if (index.size() != keys.size()) {
+    throw std::invalid_argument("radix_sort: " + std::to_string(keys.size()) + " keys but " +
+                                std::to_string(index.size()) + " indices");
+  }
+  const Key differing = keys.empty() ? 0 : differing_bits(keys);
+  if (differing == 0) return;
+  Sorter(keys, index).run(differing, [&](std::size_t i) { return index[i]; });
+}
+
+}  // namespace vortree::tree
