@@ -28,8 +28,7 @@ namespace vortree::fmm {
 ///          up what it is expected to lose (Expected); if that is more than is promised, it is
 ///          done again with more terms, in doubles, at the price of a new plan of the same blobs
 ///          (tests/fmm/losses/cancelling.cpp). round_off is what doubles cannot do better.
-///          Cells meet by series only where no core shows any more: gap >= sqrt(S ln(1/(4
-///          tolerance))).
+///          Cells meet by series only where no core shows any more: gap >= sqrt(S ln(1/tolerance)).
 /// method   Method::fmm in O(n). Where wide cores lie among narrow ones, so that most cells would
 ///          have to meet point by point, it gives way to Method::boxes, which guards every source
 ///          by itself.
@@ -52,8 +51,8 @@ class Plan {
   /// At the blobs themselves, velocity and gradient() in one sweep.
   ///
   /// error   ||u|| as velocity(u, v); the gradient's ||.||_2 <= 10 tolerance
-  /// (tests/fmm/together.cpp) cost    of blobs with cores by Method::fmm 1.6 times velocity(u, v);
-  /// else as both, in turn
+  ///         (tests/fmm/together.cpp)
+  /// cost    of blobs with cores by Method::fmm 1.6 times velocity(u, v); else as both, in turn
   void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
                              std::span<double> uy, std::span<double> vx) const;
 

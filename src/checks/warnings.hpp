@@ -15,7 +15,7 @@ namespace vortree::checks {
 ///   cores     drag error about sigma_max^2/(16 d^2), named from 5 % on
 ///   time step wall vorticity turns by about 2 U/d dt, named from 2 rad on;
 ///             around an edge or tip from 15 rad on
-///   panels    longer than 3 released cores leave gaps between them; longer than 1.5 radii of an
+///   panels    longer than 6 released cores leave gaps between them; longer than 1.5 radii of an
 ///             edge or tip miss how the flow turns around it
 ///   sigma_0   off sqrt(nu dt) by more than 3: wall vorticity, and with it friction, is wrong
 /// In free space: the vortex turns by more than 1 rad (rk2: 1/2) a step, cores wider than half the

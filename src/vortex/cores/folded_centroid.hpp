@@ -41,7 +41,7 @@ Placed place(Vec2 mean, const Core& core, const body::Shape* wall);
 /// The blob that acts at `acting.centre` with `acting.core`, or, where a folded core is never so
 /// wide for its distance, with a narrower one: acting_blob undone.
 ///
-/// error  of the variance across a curved wall, O(kappa sigma) of it (folded_core.hpp)
+/// error  as place_with_variance (folded_core.hpp)
 Placed place_acting(const Placed& acting, const body::Shape* wall);
 
 /// A blob that has gone `way` in a time dt, through a flow of this gradient at its acting position:
