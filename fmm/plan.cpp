@@ -56,7 +56,7 @@ std::unique_ptr<const Evaluator> make_sums(const Blobs& blobs, const Units& unit
                                            const Options& options, const Phase& phase,
                                            Method& method) {
   if (method == Method::fmm) {
-    auto full = std::make_unique<Full>(blobs, units, options, phase);
+    auto full = std::make_unique<Adaptive>(blobs, units, options, phase);
     if (full->serves()) return full;
     method = Method::boxes;
   }

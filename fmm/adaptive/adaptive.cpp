@@ -55,7 +55,8 @@ void tell(const Phase& phase, const char* name) {
 
 }  // namespace
 
-Full::Full(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase)
+Adaptive::Adaptive(const Blobs& blobs, const Units& units, const Options& options,
+                   const Phase& phase)
     : options_(resolve(options, blobs)),
       phase_(phase),
       units_(units),
@@ -64,7 +65,7 @@ Full::Full(const Blobs& blobs, const Units& units, const Options& options, const
   grow(blobs);
   list();
   if (!serves_) return;
-  slabs_ = Slabs(leaves_);
+  leaf_runs_ = LeafRuns(leaves_);
   tell(phase_, "upward");
   const auto make = [&]<class Number>(Number) {
     FarField<Number> far(stage(), TranslationTables<Number>(order_.most, order_.terms));
@@ -78,7 +79,7 @@ Full::Full(const Blobs& blobs, const Units& units, const Options& options, const
 
 /// The domain is stretched so that evenly spread points fill childless cells to the optimum, or, if
 /// cores reach farther than such a cell, so that cells of a level just hold that reach.
-void Full::grow(const Blobs& blobs) {
+void Adaptive::grow(const Blobs& blobs) {
   tree::Domain domain = tree::enclose({blobs.x, blobs.y});
   double widest = 0.0;
   for (const double sigma : blobs.sigma) widest = std::max(widest, sigma);
@@ -94,7 +95,7 @@ void Full::grow(const Blobs& blobs) {
   leaves_ = Leaves(tree_, vortices, widest > 0.0, coarse(options_) ? single_count : lane_count);
 }
 
-void Full::list() {
+void Adaptive::list() {
   const auto cells = tree_.cells();
   if (!leaves_.cored()) {
     lists_ = Lists(tree_, few, {});
@@ -119,7 +120,7 @@ void Full::list() {
   serves_ = near_pairs() <= most_near * static_cast<double>(leaves_.places());
 }
 
-double Full::near_pairs() const {
+double Adaptive::near_pairs() const {
   double pairs = 0.0;  // whole numbers: the same in any order
 #pragma omp parallel reduction(+ : pairs)
   {
@@ -134,18 +135,18 @@ double Full::near_pairs() const {
   return pairs;
 }
 
-Acceptance Full::acceptance(bool cored) const {
+Acceptance Adaptive::acceptance(bool cored) const {
   return {.order = Order::fixed(order_.most),
           .reach2 = cored ? core_reach2(options_.tolerance) : 0.0,
           .cores = options_.cores};
 }
 
-FarErrors Full::far_errors(int derivative) const {
+FarErrors Adaptive::far_errors(int derivative) const {
   return std::visit([&](const auto& far) { return FarErrors(stage(), far, order_, derivative); },
                     far_);
 }
 
-BlobColumns Full::blobs() const {
+BlobColumns Adaptive::blobs() const {
   const auto order = tree_.order();
   BlobColumns all;
   for (auto* column : {&all.x, &all.y, &all.gamma}) column->resize(order.size());
@@ -165,7 +166,7 @@ BlobColumns Full::blobs() const {
   return all;
 }
 
-Work Full::work() const {
+Work Adaptive::work() const {
   Work work{.bare_in_floats = coarse(options_), .cored_in_floats = coarse(options_)};
   std::vector<tree::Range> runs;
   for (std::uint32_t leaf = 0; leaf < leaves_.count(); ++leaf) {
@@ -184,7 +185,7 @@ Work Full::work() const {
   return work;
 }
 
-std::size_t Full::bytes() const {
+std::size_t Adaptive::bytes() const {
   const std::size_t per_point = sizeof(tree::Key) + sizeof(std::uint32_t);
   return per_point * base_.order().size() + base_.cells().size_bytes() + tree_.bytes() +
          leaves_.bytes() + lists_.bytes() +

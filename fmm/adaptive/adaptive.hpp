@@ -27,10 +27,10 @@ namespace vortree::fmm {
 ///
 /// cost     O(n) time
 /// source   Carrier, Greengard & Rokhlin, SIAM J. Sci. Stat. Comput. 9 (1988)
-class Full final : public Evaluator {
+class Adaptive final : public Evaluator {
  public:
   /// phase   told "tree", "upward", "far", and "near" at each sum
-  Full(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase);
+  Adaptive(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase);
 
   /// False if so many cells refuse to meet by series, because of cores, that their points had
   /// better be guarded one by one. Then there are no sums.
@@ -76,14 +76,14 @@ class Full final : public Evaluator {
   [[nodiscard]] FarErrors far_errors(int derivative) const;
   [[nodiscard]] NearErrors near_errors(std::uint32_t cell) const;
   template <std::size_t sums>
-  [[nodiscard]] Expected expect(tree::Range slab, const Sums<sums>& all, const FarErrors& far,
+  [[nodiscard]] Expected expect(tree::Range leaf_run, const Sums<sums>& all, const FarErrors& far,
                                 int derivative) const;
   template <std::size_t sums>
-  void add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& to) const;
+  void add_near(tree::Range leaf_run, Scratch<sums>& scratch, const Sums<sums>& to) const;
   template <std::size_t sums>
-  void add_far(tree::Range slab, const Sums<sums>& to) const;
+  void add_far(tree::Range leaf_run, const Sums<sums>& to) const;
   template <std::size_t sums>
-  void hand_out(tree::Range slab, const Sums<sums>& all, const Sums<sums>& results) const;
+  void hand_out(tree::Range leaf_run, const Sums<sums>& all, const Sums<sums>& results) const;
   [[nodiscard]] bool cored(const Targets& targets) const;
   [[nodiscard]] Groups group(const Targets& targets, bool cored) const;
   Expected evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
@@ -111,7 +111,7 @@ class Full final : public Evaluator {
   std::vector<double> core_;        // of each cell, the largest squared core inside; empty if bare
   std::vector<double> least_core_;  // and the least
   Lists lists_;
-  Slabs slabs_;
+  LeafRuns leaf_runs_;
   Far far_;
   std::span<const Charge> charges_;  // of far_
   FarErrors errors_;

@@ -7,9 +7,9 @@
 
 namespace vortree::fmm {
 
-/// What a thread needs, kept from slab to slab.
+/// What a thread needs, kept from run of leaves to run of leaves.
 template <std::size_t sums>
-struct Full::Scratch {
+struct Adaptive::Scratch {
   MutualNear bare;
   MutualCores<sums> cored;
   std::vector<tree::Range> runs;
@@ -32,7 +32,7 @@ struct Full::Scratch {
 /// them, cell by cell.
 ///
 /// turning   points at the same place count
-void Full::near_cells(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const {
+void Adaptive::near_cells(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const {
   runs.clear();
   const auto cells = tree_.cells();
   const std::uint32_t own = tree_.childless()[leaf];
@@ -47,7 +47,7 @@ void Full::near_cells(std::uint32_t leaf, bool turning, std::vector<tree::Range>
 }
 
 /// The same, ascending, with what lies side by side as one.
-void Full::near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const {
+void Adaptive::near_runs(std::uint32_t leaf, bool turning, std::vector<tree::Range>& runs) const {
   near_cells(leaf, turning, runs);
   std::ranges::sort(runs, {}, &tree::Range::first);
   std::size_t last = 0;
@@ -78,10 +78,10 @@ FieldTargets slopes_of(const Leaves& leaves, std::uint32_t leaf,
 
 /// The series of a cell and of its W, where they are asked for.
 template <std::size_t sums>
-void Full::add_far(tree::Range slab, const Sums<sums>& to) const {
+void Adaptive::add_far(tree::Range leaf_run, const Sums<sums>& to) const {
   std::visit(
       [&](const auto& far) {
-        for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+        for (std::uint32_t leaf = leaf_run.first; leaf < leaf_run.last; ++leaf) {
           const std::uint32_t first = leaves_.start[leaf], own = tree_.childless()[leaf];
           const double *x = &leaves_.points.x[first], *y = &leaves_.points.y[first];
           const NearTargets at{x, y, nullptr, to[0] + first, to[1] + first, leaves_.size[leaf]};
@@ -100,12 +100,12 @@ void Full::add_far(tree::Range slab, const Sums<sums>& to) const {
 }
 
 template <std::size_t sums>
-void Full::add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& to) const {
+void Adaptive::add_near(tree::Range leaf_run, Scratch<sums>& scratch, const Sums<sums>& to) const {
   constexpr bool slopes = sums == slope_sums;
-  if (!leaves_.cored()) scratch.bare.add(slab, to[0], to[1]);
+  if (!leaves_.cored()) scratch.bare.add(leaf_run, to[0], to[1]);
   if (!leaves_.cored() && !slopes) return;
-  const tree::Range places = leaves_.places(slab);
-  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+  const tree::Range places = leaves_.places(leaf_run);
+  for (std::uint32_t leaf = leaf_run.first; leaf < leaf_run.last; ++leaf) {
     near_runs(leaf, slopes && leaves_.cored(), scratch.runs);
     if (leaves_.cored()) {
       scratch.cored.add(leaf, places, scratch.runs, to);
@@ -117,7 +117,7 @@ void Full::add_near(tree::Range slab, Scratch<sums>& scratch, const Sums<sums>& 
 }
 
 /// What the points of a cell meet one by one.
-NearErrors Full::near_errors(std::uint32_t cell) const {
+NearErrors Adaptive::near_errors(std::uint32_t cell) const {
   NearErrors near{.own = charges_[cell].squares,
                   .side2 = tree_.frame(cell).side * tree_.frame(cell).side,
                   .points = static_cast<double>(tree_.cells()[cell].points.size())};
@@ -139,16 +139,17 @@ NearErrors Full::near_errors(std::uint32_t cell) const {
   return near;
 }
 
-/// What was found in a slab, and lost: of the velocity (derivative 0) or of the slopes (1).
+/// What was found in a run of leaves, and lost: of the velocity (derivative 0) or of the slopes
+/// (1).
 template <std::size_t sums>
-Expected Full::expect(tree::Range slab, const Sums<sums>& all, const FarErrors& far,
-                      int derivative) const {
+Expected Adaptive::expect(tree::Range leaf_run, const Sums<sums>& all, const FarErrors& far,
+                          int derivative) const {
   const bool single = coarse(options_);
   const double reach2 = core_reach2(options_.tolerance);
   const std::size_t from = derivative == 0 ? 0 : velocity_sums;
   const std::size_t to = derivative == 0 ? velocity_sums : sums;
   Expected expected;
-  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+  for (std::uint32_t leaf = leaf_run.first; leaf < leaf_run.last; ++leaf) {
     const std::uint32_t cell = tree_.childless()[leaf];
     const std::size_t first = leaves_.start[leaf], size = leaves_.size[leaf];
     for (std::size_t s = from; s < to; ++s) {
@@ -169,16 +170,17 @@ Expected Full::expect(tree::Range slab, const Sums<sums>& all, const FarErrors& 
   return expected;
 }
 
-/// From the sums of a slab to what was asked for.
+/// From the sums of a run of leaves to what was asked for.
 template <std::size_t sums>
-void Full::hand_out(tree::Range slab, const Sums<sums>& all, const Sums<sums>& results) const {
-  const tree::Range places = leaves_.places(slab);
+void Adaptive::hand_out(tree::Range leaf_run, const Sums<sums>& all,
+                        const Sums<sums>& results) const {
+  const tree::Range places = leaves_.places(leaf_run);
   const auto some = [&](std::size_t s) { return std::span(all[s] + places.first, places.size()); };
   for (std::size_t s = 0; s < velocity_sums; ++s) units_.to_velocity(some(s));
   if constexpr (sums == slope_sums) finish_gradient(units_, some(3), some(2), some(4));
   const auto cells = tree_.cells();
   const auto order = tree_.order();
-  for (std::uint32_t leaf = slab.first; leaf < slab.last; ++leaf) {
+  for (std::uint32_t leaf = leaf_run.first; leaf < leaf_run.last; ++leaf) {
     const tree::Range points = cells[tree_.childless()[leaf]].points;
     const std::uint32_t first = leaves_.start[leaf] - points.first;
     for (std::uint32_t j = points.first; j < points.last; ++j) {
@@ -188,10 +190,10 @@ void Full::hand_out(tree::Range slab, const Sums<sums>& all, const Sums<sums>& r
 }
 
 template <std::size_t sums>
-Expected Full::sweep(const Sums<sums>& results) const {
+Expected Adaptive::sweep(const Sums<sums>& results) const {
   if (phase_) phase_("near");
   const FarErrors slopes = sums == slope_sums ? far_errors(1) : FarErrors();
-  std::vector<Expected> expected(slabs_.size()), expected_slopes(slabs_.size());
+  std::vector<Expected> expected(leaf_runs_.size()), expected_slopes(leaf_runs_.size());
   std::array<Reals, sums> memory;
   Sums<sums> all;
   for (std::size_t s = 0; s < sums; ++s) {
@@ -206,14 +208,14 @@ Expected Full::sweep(const Sums<sums>& results) const {
         {},
         {}};
 #pragma omp for schedule(dynamic)
-    for (std::size_t s = 0; s < slabs_.size(); ++s) {
-      const tree::Range slab = slabs_[s], places = leaves_.places(slab);
+    for (std::size_t s = 0; s < leaf_runs_.size(); ++s) {
+      const tree::Range leaf_run = leaf_runs_[s], places = leaves_.places(leaf_run);
       for (double* sum : all) std::fill_n(sum + places.first, places.size(), 0.0);
-      add_near(slab, scratch, all);
-      add_far(slab, all);
-      expected[s] = expect(slab, all, errors_, 0);
-      if (sums == slope_sums) expected_slopes[s] = expect(slab, all, slopes, 1);
-      hand_out(slab, all, results);
+      add_near(leaf_run, scratch, all);
+      add_far(leaf_run, all);
+      expected[s] = expect(leaf_run, all, errors_, 0);
+      if (sums == slope_sums) expected_slopes[s] = expect(leaf_run, all, slopes, 1);
+      hand_out(leaf_run, all, results);
     }
   }
   const Expected velocity = total(expected);
@@ -224,12 +226,13 @@ Expected Full::sweep(const Sums<sums>& results) const {
   return worse(velocity, slope);
 }
 
-Expected Full::velocity(std::span<double> u, std::span<double> v) const {
+Expected Adaptive::velocity(std::span<double> u, std::span<double> v) const {
   return sweep<velocity_sums>({u.data(), v.data()});
 }
 
-Expected Full::velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
-                                     std::span<double> uy, std::span<double> vx) const {
+Expected Adaptive::velocity_and_gradient(std::span<double> u, std::span<double> v,
+                                         std::span<double> ux, std::span<double> uy,
+                                         std::span<double> vx) const {
   return sweep<slope_sums>({u.data(), v.data(), uy.data(), ux.data(), vx.data()});
 }
 

@@ -29,7 +29,7 @@ TargetBox around(const NearTargets& targets) {
 }
 
 /// The smallest cell that holds a place (in Units).
-std::uint32_t Full::holder(double x, double y) const {
+std::uint32_t Adaptive::holder(double x, double y) const {
   if (tree_.cells().empty()) return outside;
   const auto holds = [&](std::uint32_t c) {
     const Frame& at = tree_.frame(c);
@@ -49,8 +49,8 @@ std::uint32_t Full::holder(double x, double y) const {
 
 /// All sources that the local expansion of the cell leaves out, or all there are: from the cells
 /// that hold them downward, by series where they serve the whole box, else point by point.
-void Full::find_sources(std::uint32_t cell, const TargetBox& box, const Acceptance& accepted,
-                        Elsewhere& found) const {
+void Adaptive::find_sources(std::uint32_t cell, const TargetBox& box, const Acceptance& accepted,
+                            Elsewhere& found) const {
   found.restart();
   if (tree_.cells().empty()) return;
   const auto start = [&](std::uint32_t c) {
@@ -124,8 +124,8 @@ void take(const Targets& targets, const Units& units, std::span<const Held> held
 
 /// What series are expected to lose at a target of a box.
 template <class Number>
-Lost Full::lost_far(const FarErrors& errors, const FarField<Number>& far, std::uint32_t cell,
-                    const TargetBox& box, const Elsewhere& found) const {
+Lost Adaptive::lost_far(const FarErrors& errors, const FarField<Number>& far, std::uint32_t cell,
+                        const TargetBox& box, const Elsewhere& found) const {
   Lost lost;
   if (cell != outside) lost = errors.at(cell);
   for (const std::uint32_t c : found.series) {
@@ -137,13 +137,13 @@ Lost Full::lost_far(const FarErrors& errors, const FarField<Number>& far, std::u
   return lost;
 }
 
-template Lost Full::lost_far(const FarErrors&, const FarField<double>&, std::uint32_t,
-                             const TargetBox&, const Elsewhere&) const;
-template Lost Full::lost_far(const FarErrors&, const FarField<float>&, std::uint32_t,
-                             const TargetBox&, const Elsewhere&) const;
+template Lost Adaptive::lost_far(const FarErrors&, const FarField<double>&, std::uint32_t,
+                                 const TargetBox&, const Elsewhere&) const;
+template Lost Adaptive::lost_far(const FarErrors&, const FarField<float>&, std::uint32_t,
+                                 const TargetBox&, const Elsewhere&) const;
 
 /// What it is expected to lose at a target.
-Lost Full::sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const {
+Lost Adaptive::sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const {
   Batch& batch = found.batch;
   const NearTargets at{batch.x.data(), batch.y.data(), batch.core.data(),
                        batch.u.data(), batch.v.data(), batch.size};
@@ -170,7 +170,7 @@ Lost Full::sum_batch(std::uint32_t cell, bool cored, Elsewhere& found) const {
 }
 
 /// Targets in Morton order, then by the cell that holds them.
-Full::Groups Full::group(const Targets& targets, bool cored) const {
+Adaptive::Groups Adaptive::group(const Targets& targets, bool cored) const {
   const tree::Points places{targets.x, targets.y};
   const tree::MortonOrder sorted = tree::morton_order(places, tree::enclose(places));
   // Where cores are averaged, a target's own core may show where the cells' cores do not.
@@ -188,8 +188,8 @@ Full::Groups Full::group(const Targets& targets, bool cored) const {
   return groups;
 }
 
-Expected Full::evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
-                                  std::span<double> v) const {
+Expected Adaptive::evaluate_elsewhere(const Targets& targets, bool cored, std::span<double> u,
+                                      std::span<double> v) const {
   if (targets.size() == 0) return {};
   const Groups groups = group(targets, cored);
   std::vector<Expected> expected(groups.size());
@@ -221,17 +221,19 @@ Expected Full::evaluate_elsewhere(const Targets& targets, bool cored, std::span<
   return all;
 }
 
-bool Full::cored(const Targets& targets) const {
+bool Adaptive::cored(const Targets& targets) const {
   return leaves_.cored() ||
          (options_.cores == Cores::mean &&
           std::ranges::any_of(targets.sigma, [](double sigma) { return sigma > 0.0; }));
 }
 
-Expected Full::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
+Expected Adaptive::velocity(const Targets& targets, std::span<double> u,
+                            std::span<double> v) const {
   return evaluate_elsewhere(targets, cored(targets), u, v);
 }
 
-Expected Full::velocity_bare(tree::Points targets, std::span<double> u, std::span<double> v) const {
+Expected Adaptive::velocity_bare(tree::Points targets, std::span<double> u,
+                                 std::span<double> v) const {
   return evaluate_elsewhere({targets.x, targets.y, {}}, false, u, v);
 }
 

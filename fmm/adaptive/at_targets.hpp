@@ -20,7 +20,7 @@ struct Held {
 
 /// Targets in groups of one cell that are summed together: those of group b are
 /// held[first[b]] .. held[first[b + 1] - 1].
-struct Full::Groups {
+struct Adaptive::Groups {
   std::vector<Held> held;
   std::vector<std::size_t> first;
 
@@ -31,7 +31,7 @@ struct Full::Groups {
 };
 
 /// What a group of targets meets beside the local expansion of the cell that holds it.
-struct Full::Elsewhere {
+struct Adaptive::Elsewhere {
   std::vector<std::uint32_t> open, series;
   Interactions near;
   NearSources sources;

@@ -9,7 +9,7 @@ namespace vortree::fmm {
 
 /// The cell itself or an ancestor so wide that no core reaches across it: all that its local
 /// expansion stands for is a cell away.
-std::uint32_t Full::wide_cell(std::uint32_t cell, double reach2) const {
+std::uint32_t Adaptive::wide_cell(std::uint32_t cell, double reach2) const {
   const double widest = core_.empty() ? 0.0 : core_[0];
   while (cell != outside) {
     const double side = tree_.frame(cell).side;
@@ -23,9 +23,9 @@ std::uint32_t Full::wide_cell(std::uint32_t cell, double reach2) const {
 /// The local expansion of a cell that holds a group, series of cells near it, and sources one by
 /// one: as velocities elsewhere (full_elsewhere.cpp), but in doubles throughout.
 template <class Field, class Number>
-Expected Full::evaluate_field(const Field& field, const FarField<Number>& far,
-                              const FarErrors& errors, const Targets& targets,
-                              std::array<double*, 3> results) const {
+Expected Adaptive::evaluate_field(const Field& field, const FarField<Number>& far,
+                                  const FarErrors& errors, const Targets& targets,
+                                  std::array<double*, 3> results) const {
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], targets.size(), 0.0);
   if (targets.size() == 0 || tree_.cells().empty()) return {};
   const bool with_cores = cored(targets);
@@ -72,8 +72,8 @@ Expected Full::evaluate_field(const Field& field, const FarField<Number>& far,
 
 /// The derivative of a series of p terms lacks (p + 1)/(1 - ratio) times as much, so it has series
 /// of its own, with a few more terms.
-Expected Full::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
-                        std::span<double> vx) const {
+Expected Adaptive::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                            std::span<double> vx) const {
   const LatticeOrder order =
       options_.order > 0 ? order_
                          : LatticeOrder::for_tolerance(options_.tolerance / (2 * order_.most));
@@ -89,11 +89,11 @@ Expected Full::gradient(const Targets& targets, std::span<double> ux, std::span<
   return expected;
 }
 
-Expected Full::stream_function(const Targets& targets, std::span<double> psi) const {
+Expected Adaptive::stream_function(const Targets& targets, std::span<double> psi) const {
   if (phase_) phase_("near");
   Expected expected = std::visit(
       [&](const auto& far) {
-        const std::vector<double> centres = stream_centres(stage(), far);
+        const std::vector<double> centres = stream_constants(stage(), far);
         return evaluate_field(StreamFunction{log_unit(units_), centres}, far, far_errors(-1),
                               targets, {psi.data()});
       },

@@ -84,7 +84,7 @@ void add_family(const Stage& stage, const FarField<Number>& far, std::uint32_t p
 }  // namespace
 
 template <class Number>
-std::vector<double> stream_centres(const Stage& stage, const FarField<Number>& far) {
+std::vector<double> stream_constants(const Stage& stage, const FarField<Number>& far) {
   const auto cells = stage.tree.cells();
   std::vector<double> centres(cells.size(), 0.0);
   for (int level = 0; level < stage.tree.depth(); ++level) {
@@ -97,7 +97,7 @@ std::vector<double> stream_centres(const Stage& stage, const FarField<Number>& f
   return centres;
 }
 
-template std::vector<double> stream_centres(const Stage&, const FarField<double>&);
-template std::vector<double> stream_centres(const Stage&, const FarField<float>&);
+template std::vector<double> stream_constants(const Stage&, const FarField<double>&);
+template std::vector<double> stream_constants(const Stage&, const FarField<float>&);
 
 }  // namespace vortree::fmm

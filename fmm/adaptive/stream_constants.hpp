@@ -16,6 +16,6 @@ namespace vortree::fmm {
 /// cost    O(cells order); the children of a cell meet those of its neighbors together, one to a
 ///         lane
 template <class Number>
-[[nodiscard]] std::vector<double> stream_centres(const Stage& stage, const FarField<Number>& far);
+[[nodiscard]] std::vector<double> stream_constants(const Stage& stage, const FarField<Number>& far);
 
 }  // namespace vortree::fmm

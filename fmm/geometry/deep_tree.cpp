@@ -187,7 +187,7 @@ Unwritten<tree::Key> DeepTree::encode(const Grafts& grafts,
 }
 
 /// The forest without its roots, which are cells already, comes after all cells.
-void DeepTree::append(const Grafts& grafts, const tree::Grown& forest) {
+void DeepTree::append(const Grafts& grafts, const tree::Assembly& forest) {
   const auto before = static_cast<std::uint32_t>(cells_.size());
   const std::uint32_t roots = forest.level_first[1], finest = depth();
   const auto moved = [=](std::uint32_t c) { return c - roots + before; };

@@ -61,7 +61,7 @@ class DeepTree {
   [[nodiscard]] Unwritten<tree::Key> sort(const Grafts& grafts, std::span<const Vortex> vortices);
   [[nodiscard]] Unwritten<tree::Key> encode(const Grafts& grafts,
                                             std::span<const Vortex> vortices) const;
-  void append(const Grafts& grafts, const tree::Grown& forest);
+  void append(const Grafts& grafts, const tree::Assembly& forest);
 
   Unwritten<DeepCell> cells_;
   Unwritten<Frame> frames_;

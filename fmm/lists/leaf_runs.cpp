@@ -5,8 +5,8 @@
 namespace vortree::fmm {
 namespace {
 
-/// Enough slabs for some threads where sums with cores make even few points worth sharing; not so
-/// many that what lies along their borders, summed on both sides, costs a tenth more.
+/// Enough runs of leaves for some threads where sums with cores make even few points worth sharing;
+/// not so many that what lies along their borders, summed on both sides, costs a tenth more.
 std::uint32_t places_of_slab(const Leaves& leaves) {
   constexpr std::uint32_t least = 1024, most = 16384;
   const auto eighth = static_cast<std::uint32_t>(leaves.places() / 8);
@@ -15,7 +15,7 @@ std::uint32_t places_of_slab(const Leaves& leaves) {
 
 }  // namespace
 
-Slabs::Slabs(const Leaves& leaves) {
+LeafRuns::LeafRuns(const Leaves& leaves) {
   const std::uint32_t size = places_of_slab(leaves);
   std::uint32_t begun = 0;
   for (std::uint32_t leaf = 0; leaf < leaves.count(); ++leaf) {

@@ -61,15 +61,15 @@ MutualCores<sums>::MutualCores(const Leaves& leaves, Cores cores, double reach2,
     : leaves_(leaves), cores_(cores), reach2_(reach2), coarse_(coarse) {}
 
 template <std::size_t sums>
-void MutualCores<sums>::add(std::uint32_t leaf, tree::Range slab, std::span<const tree::Range> runs,
-                            const Sums& to) {
+void MutualCores<sums>::add(std::uint32_t leaf, tree::Range leaf_run,
+                            std::span<const tree::Range> runs, const Sums& to) {
   take(leaf);
   const tree::Range own{leaves_.start[leaf], leaves_.start[leaf + 1]};
   for (const tree::Range run : runs) {
-    meet<false>(common(run, {0, slab.first}), to);
+    meet<false>(common(run, {0, leaf_run.first}), to);
     meet<false>(common(run, own), to);
-    meet<true>(common(run, {own.last, slab.last}), to);
-    meet<false>(common(run, {slab.last, run.last}), to);
+    meet<true>(common(run, {own.last, leaf_run.last}), to);
+    meet<false>(common(run, {leaf_run.last, run.last}), to);
   }
   empty_room(room_, to);
   empty_room(single_, to);

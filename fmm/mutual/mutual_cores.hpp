@@ -32,12 +32,13 @@ class MutualCores {
   MutualCores(const Leaves& leaves, Cores cores, double reach2, bool coarse);
 
   /// Adds to the sums (times 2 pi, in the places of leaves) all pairs of a childless cell and the
-  /// runs: both ways where the others are in the slab; those in the slab before the cell are left
-  /// out, since they have met it.
+  /// runs: both ways where the others are in the run of leaves; those in the run of leaves before
+  /// the cell are left out, since they have met it.
   ///
   /// runs   of places, in whole vectors, ascending, disjoint
   using Sums = std::array<double*, sums>;
-  void add(std::uint32_t leaf, tree::Range slab, std::span<const tree::Range> runs, const Sums& to);
+  void add(std::uint32_t leaf, tree::Range leaf_run, std::span<const tree::Range> runs,
+           const Sums& to);
 
  private:
   /// The points of the cell, x = (position - x0)/length, from when they are first asked for.

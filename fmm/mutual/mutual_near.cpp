@@ -27,15 +27,15 @@ void add_scaled(double* to, Singles sums, double scale) {
 
 }  // namespace
 
-void MutualNear::add(tree::Range slab, double* u, double* v) {
+void MutualNear::add(tree::Range leaf_run, double* u, double* v) {
   const MutualPoints points{leaves_.points.x.data(), leaves_.points.y.data(), leaves_.gamma.data(),
                             u, v};
   const auto meeting = [&](std::uint32_t leaf) -> Meeting& {
     return meetings_[leaf % meetings_.size()];
   };
-  for (std::uint32_t next = slab.first; next < slab.last + in_advance; ++next) {
-    if (next < slab.last) arrange(next, slab, points, meeting(next));
-    if (next < slab.first + in_advance) continue;
+  for (std::uint32_t next = leaf_run.first; next < leaf_run.last + in_advance; ++next) {
+    if (next < leaf_run.last) arrange(next, leaf_run, points, meeting(next));
+    if (next < leaf_run.first + in_advance) continue;
     const std::uint32_t leaf = next - in_advance;
     meet_exactly(leaf, meeting(leaf).exact, points);
     if (coarse_) meet_in_fixed(leaf, meeting(leaf).fixed, points);
@@ -43,14 +43,16 @@ void MutualNear::add(tree::Range slab, double* u, double* v) {
 }
 
 /// Lists what the cell will meet, and asks for its memory.
-void MutualNear::arrange(std::uint32_t leaf, tree::Range slab, const MutualPoints& points,
+void MutualNear::arrange(std::uint32_t leaf, tree::Range leaf_run, const MutualPoints& points,
                          Meeting& meeting) {
   for (Blocks* blocks : {&meeting.exact, &meeting.fixed}) {
     blocks->inside.clear(), blocks->outside.clear();
   }
   const std::uint32_t own = tree_.childless()[leaf];
   const double widest = fixed_reach * tree_.frame(own).side;
-  const auto within = [&](std::uint32_t other) { return other >= slab.first && other < slab.last; };
+  const auto within = [&](std::uint32_t other) {
+    return other >= leaf_run.first && other < leaf_run.last;
+  };
   const auto add = [&](std::uint32_t cell, std::uint32_t other, bool inside) {
     const bool fits = coarse_ && tree_.frame(cell).side <= widest;
     Blocks& blocks = fits ? meeting.fixed : meeting.exact;

@@ -11,8 +11,8 @@
 
 namespace vortree::fmm {
 
-/// Near sums of bare vortices in a slab of childless cells: each cell with the members of its U,
-/// both ways at once where both lie in the slab.
+/// Near sums of bare vortices in a run of leaves of childless cells: each cell with the members of
+/// its U, both ways at once where both lie in the run of leaves.
 class MutualNear {
  public:
   /// coarse   single precision will do: used wherever places fit (mutual_fixed_kernel.hpp); the
@@ -21,13 +21,13 @@ class MutualNear {
       : tree_(tree), lists_(lists), leaves_(leaves), coarse_(coarse) {}
 
   /// Adds to u and v (times 2 pi, in the places of leaves) all pairs of U with a target in the
-  /// slab.
-  void add(tree::Range slab, double* u, double* v);
+  /// run of leaves.
+  void add(tree::Range leaf_run, double* u, double* v);
 
  private:
   /// The first places of blocks of other cells, of as many as a vector holds.
   struct Blocks {
-    std::vector<std::uint32_t> inside, outside;  // of the slab
+    std::vector<std::uint32_t> inside, outside;  // of the run of leaves
   };
   /// All that a cell meets but itself: in doubles, and in fixed point.
   struct Meeting {
@@ -43,7 +43,8 @@ class MutualNear {
 
   static constexpr std::uint32_t in_advance = 4;  // cells to ask memory for
 
-  void arrange(std::uint32_t leaf, tree::Range slab, const MutualPoints& points, Meeting& meeting);
+  void arrange(std::uint32_t leaf, tree::Range leaf_run, const MutualPoints& points,
+               Meeting& meeting);
   void meet_exactly(std::uint32_t leaf, const Blocks& others, const MutualPoints& points);
   void meet_in_fixed(std::uint32_t leaf, const Blocks& others, const MutualPoints& points);
   void take(std::uint32_t leaf);

@@ -7,7 +7,7 @@ namespace vortree {
 
 /// sum of part(first, last) over 16 parts of 0 .. n, done by all threads and added in order: the
 /// same bits for any number of threads. Values are added by +=, or element by element.
-auto sum_in_parts(std::size_t n, auto part) {
+auto ordered_sum(std::size_t n, auto part) {
   constexpr std::ptrdiff_t count = 16;
   std::array<decltype(part(n, n)), count> sums;
 #pragma omp parallel for schedule(dynamic, 1)

@@ -33,7 +33,8 @@ class Known {
 };
 
 /// How far a column of the report is off what is known, row by row.
-Value off(const Rows& rows, const char* column, Known known, double (*distance)(double, double)) {
+Value off(const HistoryRows& rows, const char* column, Known known,
+          double (*distance)(double, double)) {
   return [&rows, ours = rows.column(column), known = std::move(known),
           distance](std::size_t r) -> std::optional<double> {
     const auto value = known.at(rows.T()[r]);
@@ -45,7 +46,7 @@ double difference(double ours, double known) {
   return ours - known;
 }
 
-void check_drag(std::vector<Verdict>& list, const io::Scene& scene, const Rows& rows) {
+void check_drag(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   if (!c.drag_reference) return;
   const io::Table reference(io::reference_path(scene, *c.drag_reference));
@@ -63,7 +64,7 @@ void check_drag(std::vector<Verdict>& list, const io::Scene& scene, const Rows& 
 }
 
 /// A wake that sheds: its frequency, and its mean drag and lift.
-void check_shedding(std::vector<Verdict>& list, const io::SceneCheck& c, const Rows& rows) {
+void check_shedding(std::vector<Verdict>& list, const io::SceneCheck& c, const HistoryRows& rows) {
   constexpr std::size_t least = 100;  // rows
   const Column t = rows.column("t"), all_lift = rows.column("cl_impulse"),
                all_drag = rows.column("cd_impulse");
@@ -95,7 +96,7 @@ void check_shedding(std::vector<Verdict>& list, const io::SceneCheck& c, const R
 }
 
 /// One route to a force against the other, as a share of the largest force.
-Reached routes_apart(const Rows& rows, std::optional<double> from, const Column& a,
+Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const Column& a,
                      const Column& b) {
   const Reached most = rows.largest(from, [&](std::size_t r) { return a[r]; });
   const Reached apart = rows.largest(from, [&](std::size_t r) { return a[r] - b[r]; });
@@ -103,7 +104,7 @@ Reached routes_apart(const Rows& rows, std::optional<double> from, const Column&
   return {share(*apart.value, *most.value)};
 }
 
-void check_forces(std::vector<Verdict>& list, const io::Scene& scene, const Rows& rows) {
+void check_forces(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   const Column impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
                lift = rows.column("cl_impulse"), wall_lift = rows.column("cl_wall");
@@ -162,7 +163,7 @@ Column wall_deviations(const io::Scene& scene, const std::filesystem::path& fold
 
 void check_wall(std::vector<Verdict>& list, const io::Scene& scene,
                 const std::filesystem::path& folder, const setup::FlowCase& flow,
-                const Rows& rows) {
+                const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   if (!c.wall_vorticity_reference) return;
   const Column off = wall_deviations(scene, folder, flow);
@@ -185,7 +186,7 @@ void check_wall(std::vector<Verdict>& list, const io::Scene& scene,
 std::vector<Verdict> verdicts(const io::Scene& scene, const std::filesystem::path& folder,
                               const vortex::Blobs& blobs, const setup::FlowCase& flow) {
   std::vector<Verdict> list;
-  const Rows rows(folder / "report.csv");
+  const HistoryRows rows(folder / "report.csv");
   if (flow.wall) {
     check_drag(list, scene, rows);
     check_forces(list, scene, rows);

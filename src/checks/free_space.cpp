@@ -15,7 +15,8 @@ namespace {
 /// The vortex at the end, as seen from the flow's origin, against the exact one, at points out to
 /// four cores in several directions.
 void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
-                      const vortex::Blobs& blobs, const setup::FlowCase& flow, const Rows& rows) {
+                      const vortex::Blobs& blobs, const setup::FlowCase& flow,
+                      const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   if (c.exact != io::ExactAnswer::lamb_oseen || !scene.initial || rows.T().empty()) return;
   const exact::LambOseen vortex{scene.initial->circulation, scene.initial->core, scene.flow.nu};
@@ -49,7 +50,7 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
 
 /// What free space keeps, from the first row of the report on.
 void check_invariants(std::vector<Verdict>& list, const io::Scene& scene,
-                      const setup::FlowCase& flow, const Rows& rows) {
+                      const setup::FlowCase& flow, const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   const Column gamma = rows.column("circulation"), x = rows.column("impulse_x"),
                y = rows.column("impulse_y"), second = rows.column("second_moment"),
@@ -83,7 +84,7 @@ void check_invariants(std::vector<Verdict>& list, const io::Scene& scene,
 }
 
 /// How far the major axis has turned since the start, at each row [rad].
-Column turned(const Rows& rows) {
+Column turned(const HistoryRows& rows) {
   const Column xx = rows.column("quadrupole_xx"), xy = rows.column("quadrupole_xy");
   Column angle(xx.size());
   for (std::size_t r = 1; r < angle.size(); ++r)  // less than a quarter turn a step
@@ -92,7 +93,7 @@ Column turned(const Rows& rows) {
   return angle;
 }
 
-void check_kirchhoff(std::vector<Verdict>& list, const io::Scene& scene, const Rows& rows) {
+void check_kirchhoff(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
   const io::SceneInitial& i = *scene.initial;
   const exact::KirchhoffEllipse ellipse{i.circulation, i.core, *i.core_across};
   add(list, "rotation_max", scene.check.rotation_max, [&]() -> Reached {
@@ -109,7 +110,7 @@ exact::VortexPair pair_of(const io::Scene& scene) {
 
 /// The core, as it spreads alone, over the separation when that has first fallen by a hundredth.
 /// Vortices that stay apart have missed it when that is past what was asked.
-void check_merger(std::vector<Verdict>& list, const io::Scene& scene, const Rows& rows) {
+void check_merger(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
   add(list, "merger_max", scene.check.merger_max, [&]() -> Reached {
     const Column t = rows.column("t"), apart = rows.column("separation");
     const auto fallen = std::ranges::find_if(apart, [&](double b) { return b < 0.99 * apart[0]; });
@@ -121,7 +122,7 @@ void check_merger(std::vector<Verdict>& list, const io::Scene& scene, const Rows
   });
 }
 
-void check_dipole(std::vector<Verdict>& list, const io::Scene& scene, const Rows& rows) {
+void check_dipole(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
   add(list, "speed_max", scene.check.speed_max, [&]() -> Reached {
     const Column t = rows.column("t"), x = rows.column("plus_x"), y = rows.column("plus_y");
     if (t.size() < 2) return rows.too_short();
@@ -133,7 +134,7 @@ void check_dipole(std::vector<Verdict>& list, const io::Scene& scene, const Rows
 
 /// Columns of the report at the times of a reference that lie within it: the largest distance from
 /// the reference's, as a share of the largest that its first column has been by the end.
-Reached moments_off(const Rows& rows, const io::Table& reference,
+Reached moments_off(const HistoryRows& rows, const io::Table& reference,
                     std::initializer_list<const char*> columns) {
   const Column t = reference.column("t"), ours = rows.column("t");
   if (ours.empty()) return rows.too_short();
@@ -154,7 +155,7 @@ Reached moments_off(const Rows& rows, const io::Table& reference,
 }
 
 /// Quadrupole and separation at the times of a reference.
-void check_moments(std::vector<Verdict>& list, const io::Scene& scene, const Rows& rows) {
+void check_moments(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   if (!c.moments_reference) return;
   const io::Table reference(io::reference_path(scene, *c.moments_reference));
@@ -187,7 +188,7 @@ void check_energy(std::vector<Verdict>& list, const io::Scene& scene,
 
 void check_free_space(std::vector<Verdict>& list, const io::Scene& scene,
                       const std::filesystem::path& folder, const vortex::Blobs& blobs,
-                      const setup::FlowCase& flow, const Rows& rows) {
+                      const setup::FlowCase& flow, const HistoryRows& rows) {
   check_lamb_oseen(list, scene, blobs, flow, rows);
   if (scene.check.exact == io::ExactAnswer::kirchhoff_ellipse) check_kirchhoff(list, scene, rows);
   if (scene.check.exact == io::ExactAnswer::corotating_pair) check_merger(list, scene, rows);

@@ -38,14 +38,14 @@ double largest_of(const Column& values) {
   return most;
 }
 
-Reached Rows::too_short() const {
+Reached HistoryRows::too_short() const {
   return {.value = {},
           .why = T_.empty() ? "the report has no rows"
                             : fmt::format("the run ends at T = {:.6g}", T_.back())};
 }
 
-Reached Rows::of_values(std::optional<double> from, const Value& value,
-                        const std::function<double(const Column&)>& number) const {
+Reached HistoryRows::of_values(std::optional<double> from, const Value& value,
+                               const std::function<double(const Column&)>& number) const {
   Column values;
   bool any = false;
   for (std::size_t r = 0; r < T_.size(); ++r) {
@@ -58,11 +58,11 @@ Reached Rows::of_values(std::optional<double> from, const Value& value,
   return {.value = number(values)};
 }
 
-Reached Rows::largest(std::optional<double> from, const Value& value) const {
+Reached HistoryRows::largest(std::optional<double> from, const Value& value) const {
   return of_values(from, value, largest_of);
 }
 
-Reached Rows::rms(std::optional<double> from, const Value& value) const {
+Reached HistoryRows::rms(std::optional<double> from, const Value& value) const {
   return of_values(from, value, [](const Column& values) {
     double sum = 0;
     for (const double one : values) sum += one * one;

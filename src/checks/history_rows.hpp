@@ -25,9 +25,9 @@ double deviation(double ours, double known);
 double share(double part, double whole);
 
 /// The rows of a report from a time T on.
-class Rows {
+class HistoryRows {
  public:
-  explicit Rows(const std::filesystem::path& file) : table_(file), T_(table_.column("T")) {}
+  explicit HistoryRows(const std::filesystem::path& file) : table_(file), T_(table_.column("T")) {}
 
   Column column(std::string_view name) const { return table_.column(name); }
   const Column& T() const { return T_; }

@@ -17,7 +17,7 @@ struct Periods {
   bool any() const { return last > first; }
 };
 
-Periods whole_periods(const io::Scene& scene, const Rows& rows) {
+Periods whole_periods(const io::Scene& scene, const HistoryRows& rows) {
   const Column t = rows.column("t");
   std::size_t from = 0;
   while (from < t.size() && rows.T()[from] < scene.check.plunge_from.value_or(0)) ++from;
@@ -57,7 +57,7 @@ void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Co
 }  // namespace
 
 void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const setup::FlowCase& flow,
-                  const Rows& rows) {
+                  const HistoryRows& rows) {
   if (!scene.plunge) return;
   const Periods periods = whole_periods(scene, rows);
   const Column t = rows.column("t");

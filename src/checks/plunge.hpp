@@ -20,6 +20,6 @@ namespace vortree::checks {
 ///                 of the plunge, phases counted; for a plunge across the stream
 /// source  Keulegan & Carpenter, J. Res. Nat. Bur. Stand. 60 (1958)
 void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const setup::FlowCase& flow,
-                  const Rows& rows);
+                  const HistoryRows& rows);
 
 }  // namespace vortree::checks

@@ -146,8 +146,8 @@ void doubt_vortex(List& list, const io::Scene& scene) {
 
 }  // namespace
 
-std::vector<std::string> doubts(const io::Scene& scene) {
-  List list = setup::doubts_of_times(scene);
+std::vector<std::string> warnings(const io::Scene& scene) {
+  List list = setup::warnings_of_times(scene);
   if (scene.body && io::fastest_of(scene) > 0 && scene.flow.nu > 0) doubt_body(list, scene);
   if (scene.initial) doubt_initial(list, *scene.initial, scene.cores.sigma_0);
   if (scene.initial && scene.body && io::covers(*scene.body, scene.initial->centre))
@@ -155,7 +155,7 @@ std::vector<std::string> doubts(const io::Scene& scene) {
         "initial.centre = [{:.4g}, {:.4g}] lies within the body, where no vorticity can be",
         scene.initial->centre[0], scene.initial->centre[1]));
   if (scene.initial && !scene.body) doubt_vortex(list, scene);
-  for (const auto& more : {doubts_of_means(scene), costly(scene, machine_memory())})
+  for (const auto& more : {warnings_of_means(scene), costly(scene, machine_memory())})
     list.insert(list.end(), more.begin(), more.end());
   return list;
 }

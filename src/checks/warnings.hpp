@@ -23,6 +23,6 @@ namespace vortree::checks {
 /// Anywhere: children wider than mergers may be, mergers that may do anything or nothing, sums of
 /// few terms (warnings_of_means.hpp); pictures and frames of nothing; what the run will cost
 /// (cost.hpp).
-std::vector<std::string> doubts(const io::Scene& scene);
+std::vector<std::string> warnings(const io::Scene& scene);
 
 }  // namespace vortree::checks

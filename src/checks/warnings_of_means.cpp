@@ -151,7 +151,7 @@ void doubt_output(List& list, const io::Scene& scene) {
 
 }  // namespace
 
-List doubts_of_means(const io::Scene& scene) {
+List warnings_of_means(const io::Scene& scene) {
   List list;
   doubt_spreading(list, scene);
   doubt_other_diffusion(list, scene);

@@ -35,7 +35,7 @@ bool Timetable::field_due(long step) const {
   return std::ranges::find(fields_, step) != fields_.end();
 }
 
-std::vector<std::string> doubts_of_times(const io::Scene& scene) {
+std::vector<std::string> warnings_of_times(const io::Scene& scene) {
   std::vector<std::string> list;
   const Timetable table(scene);
   const double dt = scene.time.dt, end = scene.time.end, comes = table.time(table.last_step());

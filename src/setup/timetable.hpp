@@ -26,6 +26,6 @@ class Timetable {
 
 /// A sentence for each time that a scene asks for and a run does not meet: time.end, frames and
 /// pictures that are no multiple of time.dt, with what comes instead, and pictures beyond the end.
-std::vector<std::string> doubts_of_times(const io::Scene& scene);
+std::vector<std::string> warnings_of_times(const io::Scene& scene);
 
 }  // namespace vortree::setup

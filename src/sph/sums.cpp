@@ -106,7 +106,7 @@ struct Gradient {
 
 }  // namespace
 
-void density(const Sources& p, const tree::Rows& rows, Listing listing, std::span<double> rho) {
+void density(const Sources& p, const tree::PairList& rows, Listing listing, std::span<double> rho) {
   check(p, rows.size());
   start_density(p, rho);
   if (listing == Listing::both_ways) {
@@ -134,7 +134,8 @@ void density(const Sources& p, tree::Neighbors& search, std::span<double> rho) {
 }
 
 void gradient(const Sources& p, std::span<const double> volume, std::span<const double> f,
-              const tree::Rows& rows, Listing listing, std::span<double> gx, std::span<double> gy) {
+              const tree::PairList& rows, Listing listing, std::span<double> gx,
+              std::span<double> gy) {
   check(p, rows.size());
   std::ranges::fill(gx, 0), std::ranges::fill(gy, 0);
   const Gradient sum{p, volume, f, gx, gy};

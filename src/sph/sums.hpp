@@ -28,7 +28,7 @@ struct Sources {
 ///
 /// rows          by rule mean; both ways, rows shared by threads, or each pair once, one thread
 /// search        already placed; nothing is stored
-void density(const Sources& particles, const tree::Rows& rows, tree::Listing listing,
+void density(const Sources& particles, const tree::PairList& rows, tree::Listing listing,
              std::span<double> rho);
 void density(const Sources& particles, tree::Neighbors& search, std::span<double> rho);
 
@@ -39,7 +39,7 @@ void density(const Sources& particles, tree::Neighbors& search, std::span<double
 /// volume   m_j / rho_j [m^2]
 /// gx, gy   n each; overwritten
 void gradient(const Sources& particles, std::span<const double> volume, std::span<const double> f,
-              const tree::Rows& rows, tree::Listing listing, std::span<double> gx,
+              const tree::PairList& rows, tree::Listing listing, std::span<double> gx,
               std::span<double> gy);
 void gradient(const Sources& particles, std::span<const double> volume, std::span<const double> f,
               tree::Neighbors& search, std::span<double> gx, std::span<double> gy);

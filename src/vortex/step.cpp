@@ -16,7 +16,7 @@ namespace vortree::vortex {
 namespace {
 
 double total(std::span<const double> gamma) {
-  return sum_in_parts(gamma.size(), [&](std::size_t first, std::size_t last) {
+  return ordered_sum(gamma.size(), [&](std::size_t first, std::size_t last) {
     return std::reduce(gamma.begin() + first, gamma.begin() + last);
   });
 }

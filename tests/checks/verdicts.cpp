@@ -56,24 +56,24 @@ TEST_CASE("a run has passed unless something was missed, and not before its end"
 }
 
 TEST_CASE("a cubic through four entries is exact for cubics, and there is none outside a table") {
-  app::Column x, y;
+  checks::Column x, y;
   for (double at : {0.0, 0.3, 1.0, 1.2, 2.0}) {
     x.push_back(at);
     y.push_back(at * at * at - at);
   }
   for (double at : {0.0, 0.1, 0.5, 1.1, 1.9, 2.0})
-    CHECK(*app::interpolated(x, y, at) == Approx(at * at * at - at).margin(1e-14));
-  CHECK_FALSE(app::interpolated(x, y, -0.01));
-  CHECK_FALSE(app::interpolated(x, y, 2.01));
-  CHECK_FALSE(app::interpolated({0, 1, 2}, {0, 1, 2}, 1));
-  CHECK(std::isnan(*app::interpolated(x, {0, NAN, 0, 0, 0}, 0.5)));
-  CHECK(app::deviation(3, 2) == 0.5);
-  CHECK(app::deviation(3, 0) == 3);
-  CHECK(app::share(3, -2) == -1.5);
-  CHECK(app::share(0, 0) == 0);
-  CHECK(app::largest_of({1, -3, 2}) == 3);
-  CHECK(std::isnan(app::largest_of({1, NAN, 2})));
-  CHECK(std::isnan(app::largest_of({NAN, 1})));
+    CHECK(*checks::interpolated(x, y, at) == Approx(at * at * at - at).margin(1e-14));
+  CHECK_FALSE(checks::interpolated(x, y, -0.01));
+  CHECK_FALSE(checks::interpolated(x, y, 2.01));
+  CHECK_FALSE(checks::interpolated({0, 1, 2}, {0, 1, 2}, 1));
+  CHECK(std::isnan(*checks::interpolated(x, {0, NAN, 0, 0, 0}, 0.5)));
+  CHECK(checks::deviation(3, 2) == 0.5);
+  CHECK(checks::deviation(3, 0) == 3);
+  CHECK(checks::share(3, -2) == -1.5);
+  CHECK(checks::share(0, 0) == 0);
+  CHECK(checks::largest_of({1, -3, 2}) == 3);
+  CHECK(std::isnan(checks::largest_of({1, NAN, 2})));
+  CHECK(std::isnan(checks::largest_of({NAN, 1})));
 }
 
 TEST_CASE("a run that was too short says so in its summary, and leaves 0") {

@@ -57,7 +57,7 @@ TEST_CASE(
   sph::Particles p = lattice(16, chance);
   tree::Neighbors search;
   tree::VerletList skinned(PairRule::max, Listing::both_ways, 0.15);
-  tree::Rows rows;
+  tree::PairList rows;
   int rebuilt = 0, checked = 0;
   std::size_t fewest = p.size(), most = p.size();
   for (int step = 0; step < 1000; ++step) {
@@ -125,7 +125,7 @@ TEST_CASE("until then it holds every neighbor, by every rule, however the partic
         p.x[i] += far * std::cos(turn), p.y[i] += far * std::sin(turn);
       }
       REQUIRE_FALSE(list.outdated(p.points(), p.reach));
-      tree::Rows rows;
+      tree::PairList rows;
       list.narrow(p.points(), p.reach, rows);
       REQUIRE(
           (test::pairs_of(rows, Listing::both_ways) == test::all_pairs(p.points(), p.reach, rule)));

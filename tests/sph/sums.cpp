@@ -46,7 +46,7 @@ TEST_CASE("density through full list, half list and visitor is the sum over all 
   }
   tree::Neighbors search;
   search.place(c.set.points(), c.set.reach);
-  tree::Rows rows;
+  tree::PairList rows;
   search.list(PairRule::mean, Listing::both_ways, rows);
   sph::density(c.sources(), rows, Listing::both_ways, full);
   search.list(PairRule::mean, Listing::once, rows);
@@ -65,7 +65,7 @@ TEST_CASE("the gradient is the same through all three, zero for constants, and r
   std::vector<double> gx(n), gy(n), hx(n), hy(n), vx(n), vy(n);
   tree::Neighbors search;
   search.place(c.set.points(), c.set.reach);
-  tree::Rows rows;
+  tree::PairList rows;
   search.list(PairRule::mean, Listing::both_ways, rows);
   sph::gradient(c.sources(), c.mass, c.f, rows, Listing::both_ways, gx, gy);
   const std::vector<double> flat(n, 7.0);

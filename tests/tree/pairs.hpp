@@ -36,7 +36,7 @@ inline Pairs all_pairs(tree::Points p, std::span<const double> reach, tree::Pair
 }
 
 /// The pairs of a list in order; both directions if it holds each once.
-inline Pairs pairs_of(const tree::Rows& rows, tree::Listing listing) {
+inline Pairs pairs_of(const tree::PairList& rows, tree::Listing listing) {
   Pairs pairs;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const std::int32_t j : rows.row(i)) {

@@ -100,7 +100,7 @@ Numbers number(const Leaves& leaves) {
 
 }  // namespace
 
-Quadtree Grown::over(MortonOrder order) && {
+Quadtree Assembly::over(MortonOrder order) && {
   Quadtree tree;
   tree.order_ = std::move(order);
   tree.cells_ = std::move(cells);
@@ -110,9 +110,9 @@ Quadtree Grown::over(MortonOrder order) && {
   return tree;
 }
 
-Grown assemble(std::span<const Key> keys, const Leaves& leaves) {
+Assembly assemble(std::span<const Key> keys, const Leaves& leaves) {
   Numbers numbers = number(leaves);
-  Grown grown{std::vector<Cell>(numbers.level_first.back()), std::move(numbers.level_first), {}};
+  Assembly grown{std::vector<Cell>(numbers.level_first.back()), std::move(numbers.level_first), {}};
   std::vector<std::size_t> rank(leaves.size() + 1, 0);
   std::vector<int> deepest(leaves.size() + 1, -1);  // before each piece
   for (std::size_t p = 0; p < leaves.size(); ++p) {

@@ -13,7 +13,7 @@ namespace vortree::tree {
 ///
 /// level_first   number of the first cell of every level, and of all cells
 /// childless     numbers of the childless cells in Morton order
-struct Grown {
+struct Assembly {
   std::vector<Cell> cells;
   std::vector<std::uint32_t> level_first, childless;
 
@@ -36,14 +36,14 @@ using Leaves = std::vector<std::vector<Leaf>>;
 /// ancestors are there already. One that meets nobody begins at a root.
 ///
 /// cost    O(cells); every piece by a thread
-[[nodiscard]] Grown assemble(std::span<const Key> keys, const Leaves& leaves);
+[[nodiscard]] Assembly assemble(std::span<const Key> keys, const Leaves& leaves);
 
 /// What build_forward and build_reverse return, by so many pieces, each the work of one thread. The
 /// number makes no difference.
-[[nodiscard]] Grown grow_forward(const MortonOrder& order, const SplitRule& must_split,
-                                 std::size_t pieces);
-[[nodiscard]] Grown grow_reverse(const MortonOrder& order, const SplitRule& must_split,
-                                 std::size_t pieces);
+[[nodiscard]] Assembly grow_forward(const MortonOrder& order, const SplitRule& must_split,
+                                    std::size_t pieces);
+[[nodiscard]] Assembly grow_reverse(const MortonOrder& order, const SplitRule& must_split,
+                                    std::size_t pieces);
 
 /// Many trees at once, each over a run of points of its own and a domain of its own, down to level
 /// 31. Cells of all are numbered together, level by level and tree by tree within a level; a root
@@ -51,8 +51,8 @@ using Leaves = std::vector<std::vector<Leaf>>;
 ///
 /// keys   ascending within each run
 /// runs   not empty, one after the other, together all keys
-[[nodiscard]] Grown grow_forest(std::span<const Key> keys, std::span<const Range> runs,
-                                Crowded must_split, std::size_t pieces);
+[[nodiscard]] Assembly grow_forest(std::span<const Key> keys, std::span<const Range> runs,
+                                   Crowded must_split, std::size_t pieces);
 
 /// Numbers of the childless cells in Morton order.
 [[nodiscard]] std::vector<std::uint32_t> rank_childless(const std::vector<Cell>& cells);

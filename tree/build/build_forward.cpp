@@ -48,7 +48,7 @@ class Grower {
   Grower(const MortonOrder& order, const Rule& must_split, std::size_t pieces)
       : order_(order), must_split_(must_split), pieces_(pieces) {}
 
-  [[nodiscard]] Grown run() && {
+  [[nodiscard]] Assembly run() && {
     const auto n = static_cast<std::uint32_t>(order_.keys.size());
     if (n > 0) cells_.push_back({0, 0, -1, {}, {0, n}});
     std::vector<std::uint32_t> level_first{0};
@@ -95,9 +95,9 @@ class Grower {
 
 }  // namespace
 
-Grown grow_forward(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
+Assembly grow_forward(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
   const auto* crowded = must_split.target<Crowded>();
-  Grown grown =
+  Assembly grown =
       crowded ? Grower(order, *crowded, pieces).run() : Grower(order, must_split, pieces).run();
   grown.childless = rank_childless(grown.cells);
   return grown;
@@ -108,7 +108,7 @@ Quadtree build_forward(MortonOrder order, const SplitRule& must_split) {
     throw std::invalid_argument("build_forward: the split rule is empty");
   }
   check_order(order);
-  Grown grown = grow_forward(order, must_split, pieces_of(order.keys.size()));
+  Assembly grown = grow_forward(order, must_split, pieces_of(order.keys.size()));
   return std::move(grown).over(std::move(order));
 }
 

@@ -181,7 +181,7 @@ Leaves find_leaves(std::span<const Key> keys, const Finder& finder, std::size_t 
 
 }  // namespace
 
-Grown grow_reverse(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
+Assembly grow_reverse(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
   const auto* crowded = must_split.target<Crowded>();
   const Leaves leaves =
       crowded ? find_leaves(order.keys, Reacher(order.keys, order.finest, *crowded), pieces)
@@ -189,8 +189,8 @@ Grown grow_reverse(const MortonOrder& order, const SplitRule& must_split, std::s
   return assemble(order.keys, leaves);
 }
 
-Grown grow_forest(std::span<const Key> keys, std::span<const Range> runs, Crowded must_split,
-                  std::size_t pieces) {
+Assembly grow_forest(std::span<const Key> keys, std::span<const Range> runs, Crowded must_split,
+                     std::size_t pieces) {
   Leaves leaves(pieces);
   for_each_piece(pieces, [&](std::size_t p) {
     const Range part = piece(keys.size(), p, pieces);
@@ -210,7 +210,7 @@ Quadtree build_reverse(MortonOrder order, const SplitRule& must_split) {
     throw std::invalid_argument("build_reverse: the split rule is empty");
   }
   check_order(order);
-  Grown grown = grow_reverse(order, must_split, pieces_of(order.keys.size()));
+  Assembly grown = grow_reverse(order, must_split, pieces_of(order.keys.size()));
   return std::move(grown).over(std::move(order));
 }
 

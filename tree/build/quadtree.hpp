@@ -75,7 +75,7 @@ class Quadtree {
   bool operator==(const Quadtree&) const = default;
 
  private:
-  friend struct Grown;
+  friend struct Assembly;
 
   MortonOrder order_;
   std::vector<Cell> cells_;

@@ -31,7 +31,7 @@ struct Crowd {
   int level;
 };
 
-ExactGrid grid_of(const Placed& placed) {
+ExactGrid grid_of(const SortedParticles& placed) {
   double farthest = 0, largest = 0;
   for (std::size_t p = 0; p < placed.size; ++p) {
     farthest = std::max({farthest, std::abs(placed.x[p]), std::abs(placed.y[p])});
@@ -43,7 +43,7 @@ ExactGrid grid_of(const Placed& placed) {
 // Sorts an order of particles.
 class Sorting {
  public:
-  Sorting(const Placed& placed, const ExactGrid& grid)
+  Sorting(const SortedParticles& placed, const ExactGrid& grid)
       : placed_(placed), grid_(grid), order_(placed.size), keys_(placed.size) {
     std::iota(order_.begin(), order_.end(), 0u);
   }
@@ -112,7 +112,7 @@ class Sorting {
     return kernel::Addresses{}.of(code, level);
   }
 
-  const Placed& placed_;
+  const SortedParticles& placed_;
   const ExactGrid& grid_;
   Unwritten<std::uint32_t> order_;
   Unwritten<Key> keys_;
@@ -121,8 +121,8 @@ class Sorting {
   std::vector<OwnCell> cells_;
 };
 
-void rearrange(Placed& placed, std::span<const std::uint32_t> order) {
-  Placed sorted;
+void rearrange(SortedParticles& placed, std::span<const std::uint32_t> order) {
+  SortedParticles sorted;
   sorted.renew(placed.size);
   for (std::size_t k = 0; k < placed.size; ++k) {
     const std::uint32_t p = order[k];
@@ -135,7 +135,7 @@ void rearrange(Placed& placed, std::span<const std::uint32_t> order) {
 // From the root down, level by level.
 class Growth {
  public:
-  Growth(const Placed& placed, const ExactGrid& grid, DeepCells& made)
+  Growth(const SortedParticles& placed, const ExactGrid& grid, DeepCells& made)
       : placed_(placed), grid_(grid), made_(made) {}
 
   void grow(int root, std::uint32_t few) {
@@ -180,14 +180,14 @@ class Growth {
     return grid_.half(placed_.x[p], level) | grid_.half(placed_.y[p], level) << 1;
   }
 
-  const Placed& placed_;
+  const SortedParticles& placed_;
   const ExactGrid& grid_;
   DeepCells& made_;
 };
 
 }  // namespace
 
-DeepCells deepen(Placed& placed, std::uint32_t few) {
+DeepCells deepen(SortedParticles& placed, std::uint32_t few) {
   DeepCells made;
   if (placed.size == 0) return made;
   const ExactGrid grid = grid_of(placed);
@@ -205,7 +205,7 @@ DeepCells deepen(Placed& placed, std::uint32_t few) {
   return made;
 }
 
-bool too_shallow(const OwnCells& own, const Placed& placed) {
+bool too_shallow(const HomeCells& own, const SortedParticles& placed) {
   const double half = own.domain.cell_side(kernel::deepest_own) / 2;
   double looked_at = 0;
   for (std::size_t c = 0; c < own.size(); ++c) {

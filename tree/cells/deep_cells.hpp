@@ -31,10 +31,10 @@ struct DeepCells {
 /// placed   in any order; sorted
 /// few      a cell with no more particles than this is not split
 /// cost     O(n) for 29 levels of a cluster that are not empty
-[[nodiscard]] DeepCells deepen(Placed& placed, std::uint32_t few);
+[[nodiscard]] DeepCells deepen(SortedParticles& placed, std::uint32_t few);
 
 /// Do so many particles lie in cells of the last level, though their reaches ask for finer ones,
 /// that a search would look at more than some dozens of others for each?
-[[nodiscard]] bool too_shallow(const OwnCells& own, const Placed& placed);
+[[nodiscard]] bool too_shallow(const HomeCells& own, const SortedParticles& placed);
 
 }  // namespace vortree::tree

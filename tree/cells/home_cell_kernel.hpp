@@ -57,8 +57,8 @@ inline void plain_own_cells(const Addresses& addresses, double side, const doubl
   }
 }
 
-inline void own_cells(const Addresses& addresses, double side, const double* reach, std::size_t n,
-                      Key* codes) {
+inline void home_cells(const Addresses& addresses, double side, const double* reach, std::size_t n,
+                       Key* codes) {
   using Words [[gnu::vector_size(register_bytes)]] = std::uint64_t;
   const int below = 2 * (max_level - addresses.finest), level_bits = addresses.level_bits();
   std::size_t i = 0;

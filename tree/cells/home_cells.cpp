@@ -98,7 +98,7 @@ struct Frame {
     const kernel::Axis y{domain.y0, domain.y0 + domain.side, scale};
     (void)kernel::codes(&points.x[some.first], &points.y[some.first], some.size(), x, y, ~Key{0},
                         to);
-    kernel::own_cells(addresses, spanned, &reach[some.first], some.size(), to);
+    kernel::home_cells(addresses, spanned, &reach[some.first], some.size(), to);
   }
 };
 
@@ -123,7 +123,7 @@ struct Located {
 // Puts some particles in their places, sorted(j) telling the j-th, and notes those whose address is
 // not that of the one before.
 template <class Sorted>
-void lay_out(const Particles& particles, const Sorted& sorted, Range some, Placed& placed,
+void lay_out(const Particles& particles, const Sorted& sorted, Range some, SortedParticles& placed,
              std::vector<std::uint32_t>& begins) {
   std::array<std::uint32_t, portion> fresh;
   std::size_t count = 0;
@@ -143,15 +143,15 @@ void lay_out(const Particles& particles, const Sorted& sorted, Range some, Place
 
 // The same for all; each run of equal addresses is a cell.
 template <class Sorted>
-OwnCells lay_out(const Particles& particles, const Frame& frame, const Sorted& sorted,
-                 Placed& placed) {
+HomeCells lay_out(const Particles& particles, const Frame& frame, const Sorted& sorted,
+                  SortedParticles& placed) {
   const std::size_t n = particles.size();
   placed.renew(n);
   std::vector<std::vector<std::uint32_t>> begins(pieces_of(n));
   for_each_portion(n, [&](std::size_t piece, Range some) {
     lay_out(particles, sorted, some, placed, begins[piece]);
   });
-  OwnCells cells{frame.domain, {}, {}, {}};
+  HomeCells cells{frame.domain, {}, {}, {}};
   for (const auto& some : begins) cells.first.insert(cells.first.end(), some.begin(), some.end());
   cells.corner.resize(cells.first.size());
   cells.level.resize(cells.first.size());
@@ -165,8 +165,8 @@ OwnCells lay_out(const Particles& particles, const Frame& frame, const Sorted& s
 }
 
 // By numbers that hold address and particle, if both fit.
-OwnCells sort_numbers(Points points, std::span<const double> reach, const Frame& frame,
-                      int particle_bits, Placed& placed) {
+HomeCells sort_numbers(Points points, std::span<const double> reach, const Frame& frame,
+                       int particle_bits, SortedParticles& placed) {
   Unwritten<std::uint64_t> numbers(points.size());
   Particles particles(points.size());
   for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
@@ -184,8 +184,9 @@ OwnCells sort_numbers(Points points, std::span<const double> reach, const Frame&
   return lay_out(particles, frame, sorted, placed);
 }
 
-OwnCells sort_keys(Points points, std::span<const double> reach, const Frame& frame,
-                   std::vector<Key> keys, Unwritten<std::uint32_t> order, Placed& placed) {
+HomeCells sort_keys(Points points, std::span<const double> reach, const Frame& frame,
+                    std::vector<Key> keys, Unwritten<std::uint32_t> order,
+                    SortedParticles& placed) {
   radix_sort(keys, order);
   Particles particles(points.size());
   for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
@@ -203,7 +204,7 @@ Unwritten<std::uint32_t> count_up(std::size_t n) {
 
 }  // namespace
 
-Quadtree OwnCells::tree(std::uint32_t few) const {
+Quadtree HomeCells::tree(std::uint32_t few) const {
   const SplitRule must_split = [this, few](const Block& block) {
     const Range inside = block.points;
     return level[inside.last - 1] > block.level && first[inside.last] - first[inside.first] > few;
@@ -216,7 +217,8 @@ void check_particles(Points points, std::span<const double> reach) {
   (void)extremes(reach);
 }
 
-OwnCells sort_into_own_cells(Points points, std::span<const double> reach, Placed& placed) {
+HomeCells sort_into_own_cells(Points points, std::span<const double> reach,
+                              SortedParticles& placed) {
   const Extremes extreme = extremes(reach);
   const Frame frame(fit(enclose(points), extreme.most), extreme);
   const std::size_t n = points.size();
@@ -231,8 +233,8 @@ OwnCells sort_into_own_cells(Points points, std::span<const double> reach, Place
   return sort_keys(points, reach, frame, std::move(keys), count_up(n), placed);
 }
 
-OwnCells sort_into_own_cells(const Quadtree& tree, Points points, std::span<const double> reach,
-                             Placed& placed) {
+HomeCells sort_into_own_cells(const Quadtree& tree, Points points, std::span<const double> reach,
+                              SortedParticles& placed) {
   Frame frame(tree.domain(), extremes(reach));
   frame.addresses.coarsest = 0;
   const auto order = tree.order();

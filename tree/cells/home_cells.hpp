@@ -21,7 +21,7 @@ namespace vortree::tree {
 /// corner    level-31 code of the corner of every cell
 /// level     of every cell
 /// first     where the particles of every cell begin, and the end of the last
-struct OwnCells {
+struct HomeCells {
   Domain domain;
   Unwritten<Key> corner;
   std::vector<std::int16_t> level;
@@ -51,12 +51,12 @@ void check_particles(Points points, std::span<const double> reach);
 /// cost     O(n), a radix sort; 16 bytes a particle beyond what is returned (where sides of the
 ///          domain and of the smallest cell are 2^20 and more apart, 28)
 /// throws   as check_particles
-[[nodiscard]] OwnCells sort_into_own_cells(Points points, std::span<const double> reach,
-                                           Placed& placed);
+[[nodiscard]] HomeCells sort_into_own_cells(Points points, std::span<const double> reach,
+                                            SortedParticles& placed);
 
 /// The same with the cells of a tree of the points: a particle's own cell is no finer than the
 /// childless cell that holds it.
-[[nodiscard]] OwnCells sort_into_own_cells(const Quadtree& tree, Points points,
-                                           std::span<const double> reach, Placed& placed);
+[[nodiscard]] HomeCells sort_into_own_cells(const Quadtree& tree, Points points,
+                                            std::span<const double> reach, SortedParticles& placed);
 
 }  // namespace vortree::tree

@@ -25,7 +25,7 @@ constexpr std::size_t in_registers(std::size_t n) {
 
 }  // namespace
 
-Candidates::Frame Candidates::frame(const Placed& placed, Range own, double length) {
+Candidates::Frame Candidates::frame(const SortedParticles& placed, Range own, double length) {
   double left = placed.x[own.first], right = left, low = placed.y[own.first], high = low;
   double largest = 0;
   for (std::uint32_t p = own.first; p < own.last; ++p) {
@@ -51,7 +51,7 @@ Candidates::Frame Candidates::frame(const Placed& placed, Range own, double leng
 }
 
 template <PairRule rule>
-void Candidates::add_own(const Placed& placed, Range own, const Frame& frame) {
+void Candidates::add_own(const SortedParticles& placed, Range own, const Frame& frame) {
   for (std::uint32_t k = own.first; k < own.last; k += single_count, size_ += single_count) {
     const Singles u = kernel::near_floats(placed.x.data() + k, frame.x, frame.scale);
     const Singles v = kernel::near_floats(placed.y.data() + k, frame.y, frame.scale);
@@ -65,7 +65,7 @@ void Candidates::add_own(const Placed& placed, Range own, const Frame& frame) {
 
 // Those that reach nobody do not look at each other, however many lie in one place.
 template <PairRule rule, bool quiet>
-void Candidates::add(const Placed& placed, Range others, const Frame& frame) {
+void Candidates::add(const SortedParticles& placed, Range others, const Frame& frame) {
   const Singles zero{}, own = fill(kernel::reach_term<rule>(frame.largest));
   Singles farthest = fill(farthest_);
   for (std::uint32_t k = others.first; k < others.last; k += single_count) {
@@ -105,7 +105,7 @@ void Candidates::close() {
 }
 
 template <PairRule rule>
-void Candidates::gather(const Placed& placed, Range own, std::span<const Range> others,
+void Candidates::gather(const SortedParticles& placed, Range own, std::span<const Range> others,
                         double length) {
   std::size_t room = own.size();
   for (const Range range : others) room += range.size();
@@ -166,12 +166,12 @@ std::size_t gather_numbers(const Buffer<std::int32_t>& of, Range own, std::span<
   return static_cast<std::size_t>(set - kept);
 }
 
-template void Candidates::gather<PairRule::max>(const Placed&, Range, std::span<const Range>,
-                                                double);
-template void Candidates::gather<PairRule::mean>(const Placed&, Range, std::span<const Range>,
-                                                 double);
-template void Candidates::gather<PairRule::own>(const Placed&, Range, std::span<const Range>,
-                                                double);
+template void Candidates::gather<PairRule::max>(const SortedParticles&, Range,
+                                                std::span<const Range>, double);
+template void Candidates::gather<PairRule::mean>(const SortedParticles&, Range,
+                                                 std::span<const Range>, double);
+template void Candidates::gather<PairRule::own>(const SortedParticles&, Range,
+                                                std::span<const Range>, double);
 template std::int64_t Candidates::test<PairRule::max>(std::size_t, std::size_t, kernel::Hits*);
 template std::int64_t Candidates::test<PairRule::mean>(std::size_t, std::size_t, kernel::Hits*);
 template std::int64_t Candidates::test<PairRule::own>(std::size_t, std::size_t, kernel::Hits*);

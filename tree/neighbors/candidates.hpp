@@ -24,7 +24,8 @@ class Candidates {
   /// others   ranges without them
   /// length   a unit for the floats, about the size of the cell [m]
   template <PairRule rule>
-  void gather(const Placed& placed, Range own, std::span<const Range> others, double length);
+  void gather(const SortedParticles& placed, Range own, std::span<const Range> others,
+              double length);
 
   /// Registers full of candidates.
   [[nodiscard]] std::size_t registers() const { return registers_; }
@@ -43,15 +44,15 @@ class Candidates {
     float half_u, half_v, largest;  // largest: reach of the own ones
     bool quiet;                     // all of them are zero
   };
-  [[nodiscard]] static Frame frame(const Placed& placed, Range own, double length);
+  [[nodiscard]] static Frame frame(const SortedParticles& placed, Range own, double length);
   template <PairRule rule>
-  void add_own(const Placed& placed, Range own, const Frame& frame);
+  void add_own(const SortedParticles& placed, Range own, const Frame& frame);
   template <PairRule rule, bool quiet>
-  void add(const Placed& placed, Range others, const Frame& frame);
+  void add(const SortedParticles& placed, Range others, const Frame& frame);
   void close();
   void find_positions();
 
-  const Placed* placed_ = nullptr;
+  const SortedParticles* placed_ = nullptr;
   Range own_;
   std::vector<Range> others_;
   Buffer<float> u_, v_, reach_;

@@ -8,7 +8,7 @@ namespace vortree::tree {
 namespace {
 
 template <PairRule rule>
-unsigned test_few(const Placed& placed, std::uint32_t particle,
+unsigned test_few(const SortedParticles& placed, std::uint32_t particle,
                   std::span<const std::int32_t> others) {
   unsigned passed = 0;
   for (std::size_t k = 0; k < others.size(); ++k) {
@@ -23,7 +23,7 @@ unsigned test_few(const Placed& placed, std::uint32_t particle,
 
 // The same as test_few where squares neither overflow nor underflow, a register full at a time.
 template <PairRule rule>
-std::int64_t test_all(const Placed& placed, std::uint32_t particle,
+std::int64_t test_all(const SortedParticles& placed, std::uint32_t particle,
                       std::span<const std::int32_t> others, kernel::Hits* hits) {
   const double x = placed.x[particle], y = placed.y[particle], reach = placed.reach[particle];
   std::int64_t count = 0;
@@ -47,7 +47,7 @@ std::int64_t test_all(const Placed& placed, std::uint32_t particle,
 
 }  // namespace
 
-std::int64_t exact_test(const Placed& placed, PairRule rule, std::uint32_t particle,
+std::int64_t exact_test(const SortedParticles& placed, PairRule rule, std::uint32_t particle,
                         std::span<const std::int32_t> others, kernel::Hits* hits) {
   switch (rule) {
     case PairRule::max:

@@ -14,7 +14,7 @@ namespace vortree::tree {
 ///
 /// hits     a set of lanes for each register full of others; overwritten
 /// returns  how many passed
-std::int64_t exact_test(const Placed& placed, PairRule rule, std::uint32_t particle,
+std::int64_t exact_test(const SortedParticles& placed, PairRule rule, std::uint32_t particle,
                         std::span<const std::int32_t> others, kernel::Hits* hits);
 
 }  // namespace vortree::tree

@@ -48,7 +48,7 @@ void Neighbors::place(const Quadtree& tree, Points points, std::span<const doubl
   settle(sort_into_own_cells(tree, points, reach, placed_));
 }
 
-void Neighbors::settle(const OwnCells& own) {
+void Neighbors::settle(const HomeCells& own) {
   if (too_shallow(own, placed_)) {
     const DeepCells deep = deepen(placed_, few);
     find_content(deep.cells, deep.level, deep.first);
@@ -150,7 +150,7 @@ std::uint64_t Neighbors::candidates(Listing listing) const {
   return sum;
 }
 
-void Neighbors::list(PairRule rule, Listing listing, Rows& rows) {
+void Neighbors::list(PairRule rule, Listing listing, PairList& rows) {
   if (rule == PairRule::own && listing == Listing::once) {
     throw std::invalid_argument(
         "neighbors: rule own is not symmetric; pairs cannot be listed once");
@@ -183,10 +183,10 @@ std::size_t Neighbors::bytes() const {
          search_.bytes();
 }
 
-Rows neighbors(Points points, std::span<const double> reach, PairRule rule, Listing listing) {
+PairList neighbors(Points points, std::span<const double> reach, PairRule rule, Listing listing) {
   Neighbors search;
   search.place(points, reach);
-  Rows rows;
+  PairList rows;
   search.list(rule, listing, rows);
   return rows;
 }

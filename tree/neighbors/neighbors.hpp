@@ -70,7 +70,7 @@ class Neighbors {
   /// rows    overwritten; its buffers are used again
   /// throws  std::invalid_argument for each pair once under rule own, which is not symmetric;
   ///         std::length_error if there are more pairs than rows.most
-  void list(PairRule rule, Listing listing, Rows& rows);
+  void list(PairRule rule, Listing listing, PairList& rows);
 
   /// Shows every particle that has neighbors, with them, to a visitor; no list is stored.
   void visit(PairRule rule, Listing listing, const RowVisitor& visitor);
@@ -80,7 +80,7 @@ class Neighbors {
   [[nodiscard]] std::uint64_t candidates(Listing listing) const;
 
   /// The particles in search order.
-  [[nodiscard]] const Placed& placed() const { return placed_; }
+  [[nodiscard]] const SortedParticles& placed() const { return placed_; }
 
   /// Memory kept for the next time [bytes].
   [[nodiscard]] std::size_t bytes() const;
@@ -91,14 +91,14 @@ class Neighbors {
     std::uint32_t first, finer, last;
   };
 
-  void settle(const OwnCells& own);
+  void settle(const HomeCells& own);
   void find_content(std::span<const Cell> cells, std::span<const std::int16_t> level,
                     std::span<const std::uint32_t> particles);
   void find_coarser(std::span<const Cell> cells);
   void make_groups(std::span<const Cell> cells, std::span<const double> sides);
   void name_candidates(const Group& group, Listing listing, std::vector<Range>& others) const;
 
-  Placed placed_;
+  SortedParticles placed_;
   std::vector<Content> content_;        // of each cell
   std::vector<Colleagues> colleagues_;  // of each cell
   std::vector<std::int32_t> coarser_;   // next ancestor with particles of its own nearby; -1: none
@@ -107,7 +107,7 @@ class Neighbors {
 };
 
 /// The same in one call.
-[[nodiscard]] Rows neighbors(Points points, std::span<const double> reach, PairRule rule,
-                             Listing listing = Listing::both_ways);
+[[nodiscard]] PairList neighbors(Points points, std::span<const double> reach, PairRule rule,
+                                 Listing listing = Listing::both_ways);
 
 }  // namespace vortree::tree

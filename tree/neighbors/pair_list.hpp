@@ -28,7 +28,7 @@ enum class Listing { both_ways, once };
 /// start   n + 1 numbers: pairs beyond 2^32 fit
 /// most    pairs that may be listed: a search that finds more throws std::length_error with both
 ///         numbers, before it asks for memory for them
-struct Rows {
+struct PairList {
   Buffer<std::int64_t> start;
   Buffer<std::int32_t> index;
   std::int64_t most = std::numeric_limits<std::int64_t>::max();

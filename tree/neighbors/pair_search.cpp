@@ -43,7 +43,7 @@ std::int64_t add_up(std::span<std::int64_t> start) {
 // One thread at work.
 class RowSearch::Pass {
  public:
-  Pass(const Placed& placed, const NameCandidates& name, PairRule rule, Listing listing)
+  Pass(const SortedParticles& placed, const NameCandidates& name, PairRule rule, Listing listing)
       : placed_(placed), name_(name), rule_(rule), listing_(listing) {}
 
   // Tests all pairs of a chunk, keeps what passed and tells how long each row is, and all together.
@@ -72,7 +72,7 @@ class RowSearch::Pass {
   }
 
   // Writes the rows of a chunk.
-  void write(std::span<const Group> groups, const Chunk& chunk, Rows& rows) {
+  void write(std::span<const Group> groups, const Chunk& chunk, PairList& rows) {
     const Range* others = chunk.others.data();
     const std::uint32_t* other_count = chunk.other_count.data();
     const kernel::Hits *kept = chunk.kept.data(), *hits = chunk.hits.data();
@@ -167,7 +167,7 @@ class RowSearch::Pass {
 
   // How many pairs the rows of a group hold. Where they go is anywhere in the input's order: it is
   // fetched meanwhile.
-  [[nodiscard]] std::size_t pairs_of(Range own, const Rows& rows) const {
+  [[nodiscard]] std::size_t pairs_of(Range own, const PairList& rows) const {
     constexpr std::int64_t line = 64 / sizeof(std::int32_t);
     std::int64_t sum = 0;
     for (std::uint32_t p = own.first; p < own.last; ++p) {
@@ -183,7 +183,7 @@ class RowSearch::Pass {
 
   // All rows of a group, only when they are all there: what was just stored in overlapping pieces
   // cannot be loaded at once.
-  void copy_rows(Range own, Rows& rows) const {
+  void copy_rows(Range own, PairList& rows) const {
     const std::int32_t* from = row_.data();
     for (std::uint32_t p = own.first; p < own.last; ++p) {
       const auto id = static_cast<std::size_t>(placed_.id[p]);
@@ -193,7 +193,7 @@ class RowSearch::Pass {
     }
   }
 
-  const Placed& placed_;
+  const SortedParticles& placed_;
   const NameCandidates& name_;
   PairRule rule_;
   Listing listing_;
@@ -218,8 +218,8 @@ void RowSearch::share_out(std::span<const Group> groups) {
   chunks_.resize(count);
 }
 
-void RowSearch::list(const Placed& placed, std::span<const Group> groups,
-                     const NameCandidates& name, PairRule rule, Listing listing, Rows& rows) {
+void RowSearch::list(const SortedParticles& placed, std::span<const Group> groups,
+                     const NameCandidates& name, PairRule rule, Listing listing, PairList& rows) {
   share_out(groups);
   rows.start.renew(placed.size + 1);
   rows.start[placed.size] = 0;
@@ -243,7 +243,7 @@ void RowSearch::list(const Placed& placed, std::span<const Group> groups,
   thrown.rethrow();
 }
 
-void RowSearch::visit(const Placed& placed, std::span<const Group> groups,
+void RowSearch::visit(const SortedParticles& placed, std::span<const Group> groups,
                       const NameCandidates& name, PairRule rule, Listing listing,
                       const RowVisitor& visitor) {
   share_out(groups);

@@ -43,13 +43,13 @@ class RowSearch {
   ///
   /// groups   together hold every placed particle once
   /// throws   std::length_error if there are more pairs than rows.most
-  void list(const Placed& placed, std::span<const Group> groups, const NameCandidates& name,
-            PairRule rule, Listing listing, Rows& rows);
+  void list(const SortedParticles& placed, std::span<const Group> groups,
+            const NameCandidates& name, PairRule rule, Listing listing, PairList& rows);
 
   /// Shows every row that is not empty to a visitor; nothing is stored. What the visitor throws
   /// comes out.
-  void visit(const Placed& placed, std::span<const Group> groups, const NameCandidates& name,
-             PairRule rule, Listing listing, const RowVisitor& visitor);
+  void visit(const SortedParticles& placed, std::span<const Group> groups,
+             const NameCandidates& name, PairRule rule, Listing listing, const RowVisitor& visitor);
 
   /// Memory that is kept for the next list [bytes].
   [[nodiscard]] std::size_t bytes() const;

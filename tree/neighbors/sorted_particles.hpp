@@ -15,7 +15,7 @@ namespace vortree::tree {
 /// x, y, reach   [m]
 /// id            position in the input
 /// Behind the last particle is room for a register more to be read.
-struct Placed {
+struct SortedParticles {
   Buffer<double> x, y, reach;
   Buffer<std::int32_t> id;
   std::size_t size = 0;

@@ -26,7 +26,7 @@ bool stays(double dx, double dy, double far) {
 }
 
 template <PairRule rule>
-void keep_neighbors(Points p, std::span<const double> reach, const Rows& all, Rows& rows) {
+void keep_neighbors(Points p, std::span<const double> reach, const PairList& all, PairList& rows) {
   const auto is_near = [&](std::size_t i, std::int32_t number) {
     const auto j = static_cast<std::size_t>(number);
     return within<rule>(p.x[j] - p.x[i], p.y[j] - p.y[i], reach[i], reach[j]);
@@ -88,7 +88,7 @@ void VerletList::rebuild(Points points, std::span<const double> reach) {
   built_ = true;
 }
 
-void VerletList::narrow(Points points, std::span<const double> reach, Rows& rows) const {
+void VerletList::narrow(Points points, std::span<const double> reach, PairList& rows) const {
   switch (rule_) {
     case PairRule::max:
       return keep_neighbors<PairRule::max>(points, reach, rows_, rows);

@@ -33,10 +33,10 @@ class VerletList {
   void rebuild(Points points, std::span<const double> reach);
 
   /// Every neighbor, and some more that are within the skin.
-  [[nodiscard]] const Rows& candidates() const { return rows_; }
+  [[nodiscard]] const PairList& candidates() const { return rows_; }
 
   /// Only those that are neighbors now, for particles for which the list is not outdated.
-  void narrow(Points points, std::span<const double> reach, Rows& rows) const;
+  void narrow(Points points, std::span<const double> reach, PairList& rows) const;
 
  private:
   PairRule rule_;
@@ -45,7 +45,7 @@ class VerletList {
   bool built_ = false;
   std::vector<double> x_, y_, reach_, wide_;  // where particles were; their reaches, with skin
   Neighbors search_;
-  Rows rows_;
+  PairList rows_;
 };
 
 }  // namespace vortree::tree

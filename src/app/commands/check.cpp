@@ -39,7 +39,7 @@ std::string list_cases() {
 std::string check(const std::string& scene, const std::vector<std::string>& overrides) {
   const io::Scene loaded = io::load_scene(find_scene(scene), overrides);
   checks::refuse_beyond(loaded, machine_memory());
-  for (const std::string& doubt : checks::doubts(loaded)) say("warning: {}", doubt);
+  for (const std::string& doubt : checks::warnings(loaded)) say("warning: {}", doubt);
   return io::resolved(loaded);
 }
 

@@ -25,7 +25,7 @@ struct Laps {
   std::vector<double> tree, search, total;
 };
 
-void search(bench::NeighborMethod& method, const bench::NeighborJob& job, tree::Rows& rows,
+void search(bench::NeighborMethod& method, const bench::NeighborJob& job, tree::PairList& rows,
             Laps& laps) {
   Stopwatch watch;
   watch.begin("tree");
@@ -74,7 +74,7 @@ std::int64_t room_for_pairs(const NeighborsJob& job, const bench::NeighborMaker&
 
 // throws  std::runtime_error with numbers, if there are more pairs than memory holds
 Laps search(const NeighborsJob& job, const bench::NeighborMaker& maker,
-            const bench::NeighborJob& asked, tree::Rows& rows) {
+            const bench::NeighborJob& asked, tree::PairList& rows) {
   const auto method = maker.make();
   Laps laps;
   const std::uint64_t free = free_memory();
@@ -88,7 +88,7 @@ Laps search(const NeighborsJob& job, const bench::NeighborMaker& maker,
   return laps;
 }
 
-void write_rows(const std::filesystem::path& out, const tree::Rows& rows) {
+void write_rows(const std::filesystem::path& out, const tree::PairList& rows) {
   const std::array columns{io::Column{"start", rows.start.span()},
                            io::Column{"index", rows.index.span()}};
   io::write_columns(out, columns);
@@ -122,7 +122,7 @@ io::Json neighbors(const NeighborsJob& job) {
 
   const auto listing = job.half ? tree::Listing::once : tree::Listing::both_ways;
   const bench::NeighborJob asked{{particles.x, particles.y}, particles.reach, job.rule, listing};
-  tree::Rows rows;
+  tree::PairList rows;
   const Laps laps = search(job, maker, asked, rows);
 
   files.begin("io");

@@ -331,7 +331,7 @@ RunResult run(const RunOptions& options) {
   checks::refuse_beyond(scene, machine_memory());
   const OutputFolder folder(options.out);
   if (!options.resume && !options.overwrite) refuse_older_run(options.out);
-  for (const std::string& doubt : checks::doubts(scene)) say("warning: {}", doubt);
+  for (const std::string& doubt : checks::warnings(scene)) say("warning: {}", doubt);
   Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();
   return run.go();

@@ -6,16 +6,11 @@
 #include <vector>
 
 #include "base/clock.hpp"
+#include "base/random.hpp"
 #include "bench/measures/memory.hpp"
 
 namespace vortree::bench {
 namespace {
-
-std::uint64_t hash(std::uint64_t i, std::uint64_t j) {
-  std::uint64_t h = (i << 32 | j) + 0x9e3779b97f4a7c15;
-  h = (h ^ h >> 30) * 0xbf58476d1ce4e5b9;
-  return h ^ h >> 27;
-}
 
 // Of cells as wide as the largest reach: the particles of each, squared.
 double crowding(const NeighborJob& job) {
@@ -37,14 +32,14 @@ double crowding(const NeighborJob& job) {
 
 }  // namespace
 
-Fingerprint fingerprint(const tree::Rows& rows, tree::Listing listing) {
+Fingerprint fingerprint(const tree::PairList& rows, tree::Listing listing) {
   std::uint64_t sum = 0;
   const bool once = listing == tree::Listing::once;
 #pragma omp parallel for schedule(static) reduction(+ : sum)
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const std::int32_t number : rows.row(i)) {
       const auto j = static_cast<std::size_t>(number);
-      sum += once && j < i ? hash(j, i) : hash(i, j);
+      sum += once && j < i ? splitmix64(j << 32 | i) : splitmix64(i << 32 | j);
     }
   }
   return {rows.index.size(), sum};
@@ -53,7 +48,7 @@ Fingerprint fingerprint(const tree::Rows& rows, tree::Listing listing) {
 NeighborMeasurement measure_neighbors(const NeighborMaker& maker, const NeighborJob& job,
                                       double seconds) {
   const auto method = maker.make();
-  tree::Rows rows;
+  tree::PairList rows;
   std::vector<double> build, search, total;
   const auto lap = [&] {
     Stopwatch watch;

@@ -16,7 +16,7 @@ struct Fingerprint {
   std::uint64_t pairs = 0, sum = 0;
   bool operator==(const Fingerprint&) const = default;
 };
-[[nodiscard]] Fingerprint fingerprint(const tree::Rows& rows, tree::Listing listing);
+[[nodiscard]] Fingerprint fingerprint(const tree::PairList& rows, tree::Listing listing);
 
 /// What one method needed for one set: seconds of the median of the repeats.
 ///

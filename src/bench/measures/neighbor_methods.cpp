@@ -13,7 +13,7 @@ namespace {
 class Qcg : public NeighborMethod {
  public:
   void build(const NeighborJob& job) override { search_.place(job.points, job.reach); }
-  void search(const NeighborJob& job, tree::Rows& rows) override {
+  void search(const NeighborJob& job, tree::PairList& rows) override {
     search_.list(job.rule, job.listing, rows);
   }
 

@@ -26,7 +26,7 @@ class NeighborMethod {
   /// From unsorted arrays to whatever it searches in.
   virtual void build(const NeighborJob& job) = 0;
   /// From there to the finished rows.
-  virtual void search(const NeighborJob& job, tree::Rows& rows) = 0;
+  virtual void search(const NeighborJob& job, tree::PairList& rows) = 0;
 };
 
 /// One of the methods.

@@ -8,19 +8,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/random.hpp"
 #include "tree/order/morton.hpp"
 
 namespace vortree::bench {
 namespace {
 
 constexpr std::uint64_t seed = 20181024;
-
-std::uint64_t mixed(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15;
-  z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-  z = (z ^ z >> 27) * 0x94d049bb133111eb;
-  return z ^ z >> 31;
-}
 
 // In [-1, 1).
 double unit(std::uint64_t hash) {
@@ -103,7 +97,7 @@ class Generator {
     const std::uint64_t place = static_cast<std::uint64_t>(level) << 60 |
                                 static_cast<std::uint64_t>(iy) << 30 |
                                 static_cast<std::uint64_t>(ix);
-    const std::uint64_t one = mixed(seed ^ mixed(place)), two = mixed(one);
+    const std::uint64_t one = splitmix64(seed ^ splitmix64(place)), two = splitmix64(one);
     set_.x.push_back(static_cast<float>(x + 0.1 * dx * unit(one)));
     set_.y.push_back(static_cast<float>(y + 0.1 * dx * unit(two)));
     set_.reach.push_back(static_cast<float>(3.9 * dx));
@@ -156,7 +150,7 @@ void permute(ParticleSet& set, const std::vector<std::uint32_t>& order) {
 void shuffle(std::vector<std::uint32_t>& order) {
   std::uint64_t state = seed;
   for (std::size_t i = order.size(); i > 1; --i) {
-    state = mixed(state + i);
+    state = splitmix64(state + i);
     std::swap(order[i - 1], order[state % i]);
   }
 }

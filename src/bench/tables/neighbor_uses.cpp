@@ -124,7 +124,7 @@ class Sums {
   ParticleSet set_;
   std::vector<double> mass_, f_, rho_, gx_, gy_;
   tree::Neighbors search_;
-  tree::Rows rows_;
+  tree::PairList rows_;
 };
 
 void measure_sums(const std::filesystem::path& csv, bool small, const Say& say) {
@@ -163,7 +163,7 @@ void measure_moving(const std::filesystem::path& csv, bool small, int steps, con
   sph::Particles p = moving_set(small);
   tree::Neighbors kept;
   tree::VerletList skinned(PairRule::max, Listing::both_ways, 0.1);
-  tree::Rows rows, narrow;
+  tree::PairList rows, narrow;
   double warm = 0, fresh = 0, skin = 0, particles = 0;
   int rebuilt = 0;
   for (int step = 1; step <= steps; ++step) {
@@ -175,7 +175,7 @@ void measure_moving(const std::filesystem::path& csv, bool small, int steps, con
     });
     fresh += seconds([&] {
       tree::Neighbors search;
-      tree::Rows own;
+      tree::PairList own;
       search.place(p.points(), p.reach);
       search.list(PairRule::max, Listing::both_ways, own);
     });

@@ -17,7 +17,7 @@ namespace vortree::bench {
 /// find  appends the neighbors of particle i: find(i, std::vector<std::int32_t>& row); called from
 ///       several threads
 template <class Find>
-void write_rows(std::size_t n, const Find& find, tree::Rows& rows) {
+void write_rows(std::size_t n, const Find& find, tree::PairList& rows) {
   constexpr std::size_t portion = 512;
   const std::size_t portions = (n + portion - 1) / portion;
   std::vector<std::vector<std::int32_t>> found(portions);
@@ -55,7 +55,7 @@ void write_rows(std::size_t n, const Find& find, tree::Rows& rows) {
 template <class Method>
 class RowByRow : public NeighborMethod {
  public:
-  void search(const NeighborJob& job, tree::Rows& rows) final {
+  void search(const NeighborJob& job, tree::PairList& rows) final {
     const auto& method = static_cast<const Method&>(*this);
     with_rule(job.rule, [&]<tree::PairRule rule> {
       write_rows(

@@ -26,7 +26,7 @@ Vec2 direction(double phi) {
 class Rings {
  public:
   Rings(const Splitting& splitting, std::uint64_t step)
-      : hash_(mixed(splitting.seed ^ mixed(step))) {
+      : hash_(splitmix64(splitting.seed ^ splitmix64(step))) {
     const double sector = 2 * std::numbers::pi / splitting.children;
     for (int c = 0; c < splitting.children; ++c) child_.push_back(direction(sector * c));
     for (std::size_t k = 0; k < turn_.size(); ++k)
@@ -35,7 +35,8 @@ class Rings {
 
   /// How far the ring of a blob is turned, as a unit vector.
   Vec2 turn(double gamma, double sigma) const {
-    const std::uint64_t hash = mixed(hash_ ^ rounded(std::abs(gamma)) ^ (rounded(sigma) << 32));
+    const std::uint64_t hash =
+        splitmix64(hash_ ^ rounded(std::abs(gamma)) ^ (rounded(sigma) << 32));
     const Vec2 turned = turn_[hash % turn_.size()];
     return {turned.x, std::copysign(turned.y, gamma)};
   }

@@ -38,7 +38,7 @@ struct Sums {
 }  // namespace
 
 Invariants invariants(const Blobs& blobs, const Acting& at) {
-  const Sums all = sum_in_parts(blobs.size(), [&](std::size_t first, std::size_t last) {
+  const Sums all = ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
     Sums sums;
     for (std::size_t i = first; i < last; ++i) {
       const double g = blobs.gamma[i], s = blobs.sigma[i];

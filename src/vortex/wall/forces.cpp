@@ -45,7 +45,7 @@ std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> s
                                    const Wall& wall, double nu, double dt, double sigma_0) {
   const AlongWall along(wall);
   const double b = wall.panel_length(), fresh = of_fresh_sheet(nu, dt, sigma_0);
-  std::vector<double> omega = sum_in_parts(blobs.size(), [&](std::size_t first, std::size_t last) {
+  std::vector<double> omega = ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
     std::vector<double> some(wall.panels());
     for_each_at_wall(blobs, wall, first, last,
                      [&](const CoreAtWall& core) { along.add(trace(core), some); });
@@ -67,7 +67,7 @@ Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wal
   const double fresh = of_fresh_sheet(nu, dt, sigma_0);
   for (std::size_t i = 0; i < sheet.size(); ++i)
     force += (nu * fresh * sheet[i] * wall.panel_length()) * wall.tangent(i);
-  force += sum_in_parts(blobs.size(), [&](std::size_t first, std::size_t last) {
+  force += ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
     Vec2 some;
     for_each_at_wall(blobs, wall, first, last, [&](const CoreAtWall& core) {
       some += (nu * trace(core).amount) * core.at.tangent();

@@ -78,7 +78,7 @@ std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const 
                             Vec2{at_samples.u[2 * i + 1], at_samples.v[2 * i + 1]});
     slip[i] = dot(stream + far, tangent_[i]);
   }
-  const auto missed = sum_in_parts(gamma.size(), [&](std::size_t first, std::size_t last) {
+  const auto missed = ordered_sum(gamma.size(), [&](std::size_t first, std::size_t last) {
     return missed_by_samples(acting, gamma, first, last);
   });
   for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += missed[i];

@@ -52,19 +52,19 @@ TEST_CASE("orders of a power law are its exponent, and what says nothing has non
     h.push_back(a);
     e.push_back(3 * std::pow(a, 2.5));
   }
-  const auto p = app::orders(h, e);
+  const auto p = checks::orders(h, e);
   CHECK(std::isnan(p[0]));
   CHECK(p[1] == Approx(2.5));
   CHECK(p[2] == Approx(2.5));
-  CHECK(app::fitted_order(h, e) == Approx(2.5));
+  CHECK(checks::fitted_order(h, e) == Approx(2.5));
   e[1] = INFINITY;
-  CHECK(std::isnan(app::orders(h, e)[1]));
-  CHECK(app::fitted_order(h, e) == Approx(2.5));
-  CHECK(std::isnan(app::fitted_order(std::vector<double>{1, 1}, std::vector<double>{1, 2})));
+  CHECK(std::isnan(checks::orders(h, e)[1]));
+  CHECK(checks::fitted_order(h, e) == Approx(2.5));
+  CHECK(std::isnan(checks::fitted_order(std::vector<double>{1, 1}, std::vector<double>{1, 2})));
   for (const double same : {0.3, 0.0}) {
     const std::vector<double> widths{1, 2, 4}, equal(3, same);
-    CHECK(std::isnan(app::orders(widths, equal)[1]));
-    CHECK(std::isnan(app::fitted_order(widths, equal)));
+    CHECK(std::isnan(checks::orders(widths, equal)[1]));
+    CHECK(std::isnan(checks::fitted_order(widths, equal)));
   }
 }
 

@@ -40,7 +40,7 @@ end = 1.0
 )";
 
 std::vector<std::string> doubted(const std::vector<std::string>& overrides) {
-  return checks::doubts(io::parse_scene(cylinder, "cylinder.toml", overrides));
+  return checks::warnings(io::parse_scene(cylinder, "cylinder.toml", overrides));
 }
 
 bool about(const std::vector<std::string>& doubts, const std::string& key) {
@@ -72,7 +72,7 @@ TEST_CASE("ten times too large a step, too wide cores and too few panels are eac
 
 TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws, is named") {
   const auto doubted_of = [&](const std::vector<std::string>& overrides) {
-    return checks::doubts(io::parse_scene(vortex, "vortex.toml", overrides));
+    return checks::warnings(io::parse_scene(vortex, "vortex.toml", overrides));
   };
   CHECK(doubted_of({}).empty());
   CHECK(about(doubted_of({"flow.nu=1"}), "cores.sigma_max = 0.05: one step"));
@@ -124,7 +124,7 @@ chord = 1.0
 end = 1.0
 )";
   const auto at_incidence = [&](const std::string& degrees) {
-    return checks::doubts(io::parse_scene(foil, "foil.toml", {{"body.incidence=" + degrees}}));
+    return checks::warnings(io::parse_scene(foil, "foil.toml", {{"body.incidence=" + degrees}}));
   };
   CHECK(at_incidence("10").empty());
   CHECK(about(at_incidence("90"), "time.dt"));

@@ -70,15 +70,15 @@ TEST_CASE("a picture is that of the nearest step, and none beyond the end") {
 }
 
 TEST_CASE("times that are met raise no doubt; others are named with what comes instead") {
-  CHECK(setup::doubts_of_times(scene({"output.fields=[0.04,0.2]"}, true)).empty());
-  CHECK(setup::doubts_of_times(scene({"output.frames=1e9"})).empty());
-  CHECK(setup::doubts_of_times(scene({"time.end=0.1"})) ==
+  CHECK(setup::warnings_of_times(scene({"output.fields=[0.04,0.2]"}, true)).empty());
+  CHECK(setup::warnings_of_times(scene({"output.frames=1e9"})).empty());
+  CHECK(setup::warnings_of_times(scene({"time.end=0.1"})) ==
         Words{"time.end = 0.1 is no multiple of time.dt = 0.04: the run ends at t = 0.12; "
               "time.dt = 0.0333333333 meets it"});
-  CHECK(setup::doubts_of_times(scene({"output.frames=0.05"})) ==
+  CHECK(setup::warnings_of_times(scene({"output.frames=0.05"})) ==
         Words{"output.frames = 0.05 is no multiple of time.dt = 0.04: each frame is that of the "
               "nearest step, up to 0.02 off"});
-  CHECK(setup::doubts_of_times(scene({"output.fields=[0.05,0.2,0.3,0.11,7]"}, true)) ==
+  CHECK(setup::warnings_of_times(scene({"output.fields=[0.05,0.2,0.3,0.11,7]"}, true)) ==
         Words{"output.fields that are no multiples of time.dt = 0.04 are drawn, and named, at the "
               "nearest step: 0.05 at t = 0.04, 0.11 at t = 0.12",
               "output.fields = 0.3, 7: beyond the end, t = 0.2; no picture"});

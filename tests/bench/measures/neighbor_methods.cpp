@@ -40,7 +40,7 @@ void check_methods(tree::Points points, std::span<const double> reach, PairRule 
       if (rule == PairRule::own && listing == Listing::once) continue;
       CAPTURE(maker.name, static_cast<int>(rule), static_cast<int>(listing), points.size());
       const bench::NeighborJob job{points, reach, rule, listing};
-      tree::Rows rows;
+      tree::PairList rows;
       method->build(job);
       method->search(job, rows);
       REQUIRE(rows.size() == points.size());
@@ -104,7 +104,7 @@ TEST_CASE("every method refuses more pairs than may be listed") {
     CAPTURE(maker.name);
     const bench::NeighborJob job{set.points(), set.reach};
     const auto method = maker.make();
-    tree::Rows rows;
+    tree::PairList rows;
     rows.most = 100;
     method->build(job);
     CHECK_THROWS_AS(method->search(job, rows), std::length_error);
@@ -119,7 +119,7 @@ TEST_CASE("at full size all fast methods list the same pairs") {
     if (maker.quadratic || maker.name == "linked-list") continue;
     const bench::NeighborJob job{set.points(), set.reach};
     const auto method = maker.make();
-    tree::Rows rows;
+    tree::PairList rows;
     method->build(job);
     method->search(job, rows);
     // Of rows as sets: their lengths, and a sum of hashes.

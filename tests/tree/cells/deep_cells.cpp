@@ -136,7 +136,7 @@ TEST_CASE("cells of any depth hold their particles: sorted, each once, in the ce
   test::Chance chance(97);
   for (const Particles& p : deep_clouds(700, chance)) {
     CAPTURE(p.cloud.name);
-    tree::Placed placed;
+    tree::SortedParticles placed;
     (void)tree::sort_into_own_cells(p.cloud.points(), p.reach, placed);
     const tree::DeepCells deep = tree::deepen(placed, 4);
     std::vector<bool> seen(p.reach.size());
@@ -192,7 +192,7 @@ TEST_CASE("lists of clouds that 29 levels cannot part are exact, every rule and 
           if (j != i && near) truth.emplace_back(i, j);
         }
       }
-      tree::Rows rows;
+      tree::PairList rows;
       for (const Listing listing : {Listing::both_ways, Listing::once}) {
         if (rule == PairRule::own && listing == Listing::once) continue;
         search.list(rule, listing, rows);

@@ -16,8 +16,8 @@ using namespace vortree;
 namespace {
 
 struct Cells {
-  tree::OwnCells own;
-  tree::Placed placed;
+  tree::HomeCells own;
+  tree::SortedParticles placed;
 };
 
 // Every particle is placed once, in a cell that spans its reach, holds it, and is the deepest such.
@@ -50,7 +50,7 @@ void check_cells(const Cells& cells, tree::Points points, std::span<const double
   }
 }
 
-void check_deepest(const tree::OwnCells& own, const tree::Placed& placed) {
+void check_deepest(const tree::HomeCells& own, const tree::SortedParticles& placed) {
   for (std::size_t c = 0; c < own.size(); ++c) {
     const double half = own.domain.cell_side(own.level[c]) / 2;
     for (std::uint32_t p = own.first[c]; p < own.first[c + 1]; ++p) {
@@ -85,7 +85,7 @@ TEST_CASE("a cell of the tree of own cells splits if more than a few are inside 
   for (int round = 0; round < 100; ++round) {
     const test::Cloud cloud = test::any_cloud(300, chance);
     const auto reach = test::make_reach(chance.whole(0, 3), cloud.x.size(), 1.0, chance);
-    tree::Placed placed;
+    tree::SortedParticles placed;
     const auto own = tree::sort_into_own_cells(cloud.points(), reach, placed);
     const auto few = static_cast<std::uint32_t>(chance.whole(0, 8));
     const tree::Quadtree tree = own.tree(few);
@@ -113,7 +113,7 @@ TEST_CASE("addresses of own cells by registers equal those one by one, and can b
     const auto [least, most] = std::minmax_element(reach.begin(), reach.end());
     const tree::kernel::Addresses addresses{tree::kernel::own_level(1, *most),
                                             tree::kernel::own_level(1, *least)};
-    tree::kernel::own_cells(addresses, 1, reach.data(), n, codes.data());
+    tree::kernel::home_cells(addresses, 1, reach.data(), n, codes.data());
     for (std::size_t i = 0; i < n; ++i) {
       const int level = tree::kernel::own_level(1, reach[i]);
       REQUIRE((level == 0 || std::ldexp(1.0, -level) >= reach[i]));

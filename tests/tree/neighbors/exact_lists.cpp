@@ -58,7 +58,7 @@ std::size_t check(const Particles& p) {
   for (const PairRule rule : {PairRule::max, PairRule::mean, PairRule::own}) {
     const test::Pairs truth = p.pairs(rule);
     count += truth.size();
-    tree::Rows rows;
+    tree::PairList rows;
     for (const Listing listing : {Listing::both_ways, Listing::once}) {
       if (rule == PairRule::own && listing == Listing::once) continue;
       CAPTURE(static_cast<int>(rule), static_cast<int>(listing));

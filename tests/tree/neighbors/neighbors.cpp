@@ -28,7 +28,7 @@ bool asked(PairRule rule, Listing listing) {
 
 // Compares the lists of placed particles with all pairs, every rule and listing.
 void check_lists(tree::Neighbors& search, tree::Points points, std::span<const double> reach) {
-  tree::Rows rows;
+  tree::PairList rows;
   for (const PairRule rule : every_rule) {
     const test::Pairs truth = test::all_pairs(points, reach, rule);
     for (const Listing listing : {Listing::both_ways, Listing::once}) {
@@ -134,7 +134,7 @@ TEST_CASE("the visitor is shown the rows of the list") {
     for (const PairRule rule : every_rule) {
       for (const Listing listing : {Listing::both_ways, Listing::once}) {
         if (!asked(rule, listing)) continue;
-        tree::Rows rows;
+        tree::PairList rows;
         search.list(rule, listing, rows);
         std::vector<std::vector<std::int32_t>> shown(cloud.x.size());
         search.visit(rule, listing, [&](std::int32_t i, std::span<const std::int32_t> row) {
@@ -154,13 +154,13 @@ TEST_CASE("rows do not depend on the number of threads") {
   const test::Cloud cloud = test::make_cloud(0, 20000, chance);
   const auto reach = test::make_reach(1, cloud.x.size(), 1.0, chance);
   const int all = omp_get_max_threads();
-  std::vector<tree::Rows> rows;
+  std::vector<tree::PairList> rows;
   for (const int threads : {1, 2, 3, 7}) {
     omp_set_num_threads(threads);
     rows.push_back(tree::neighbors(cloud.points(), reach, PairRule::max));
   }
   omp_set_num_threads(all);
-  for (const tree::Rows& other : rows) {
+  for (const tree::PairList& other : rows) {
     CHECK(std::ranges::equal(other.start.span(), rows[0].start.span()));
     CHECK(std::ranges::equal(other.index.span(), rows[0].index.span()));
   }
@@ -195,7 +195,7 @@ TEST_CASE("what cannot be searched is refused with numbers") {
                     Contains("2 points, but the tree holds 3"));
   CHECK_THROWS_WITH(search.place({x, few}, reach), Contains("3 x but 2 y"));
   search.place(tree, points, reach);
-  tree::Rows rows;
+  tree::PairList rows;
   CHECK_THROWS_WITH(search.list(PairRule::own, Listing::once, rows), Contains("not symmetric"));
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("more pairs than may be listed are refused with both numbers, by any n
   const auto reach = test::make_reach(0, cloud.x.size(), 1.0, chance);
   tree::Neighbors search;
   search.place(cloud.points(), reach);
-  tree::Rows rows;
+  tree::PairList rows;
   search.list(PairRule::max, Listing::both_ways, rows);
   const auto pairs = static_cast<std::int64_t>(rows.index.size());
   const int all = omp_get_max_threads();

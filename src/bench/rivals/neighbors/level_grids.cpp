@@ -87,7 +87,7 @@ class LevelGrids : public NeighborMethod {
     make_groups();
   }
 
-  void search(const NeighborJob& job, tree::Rows& rows) override {
+  void search(const NeighborJob& job, tree::PairList& rows) override {
     search_.list(
         placed_, groups_,
         [&](const tree::Group& group, std::vector<Range>& others) { name(job, group, others); },
@@ -176,7 +176,7 @@ class LevelGrids : public NeighborMethod {
   std::vector<Grid> grids_;
   std::vector<std::uint8_t> level_;
   std::vector<std::uint32_t> cell_;
-  tree::Placed placed_;
+  tree::SortedParticles placed_;
   std::vector<tree::Group> groups_;
   tree::RowSearch search_;
 };

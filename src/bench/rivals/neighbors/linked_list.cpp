@@ -26,7 +26,7 @@ class LinkedList : public NeighborMethod {
     }
   }
 
-  void search(const NeighborJob& job, tree::Rows& rows) override {
+  void search(const NeighborJob& job, tree::PairList& rows) override {
     first_.clear(), second_.clear();
     length_.assign(job.points.size(), 0);
     with_rule(job.rule, [&]<PairRule rule> { find_pairs<rule>(job, rows); });
@@ -54,7 +54,7 @@ class LinkedList : public NeighborMethod {
   }
 
   template <PairRule rule>
-  void find_pairs(const NeighborJob& job, const tree::Rows& rows) {
+  void find_pairs(const NeighborJob& job, const tree::PairList& rows) {
     for (int row = 0; row < rows_; ++row) {
       for (int column = 0; column < columns_; ++column) {
         for (std::int32_t i = head(column, row); i >= 0; i = next_[i]) {
@@ -95,7 +95,7 @@ class LinkedList : public NeighborMethod {
   }
 
   // From the list of pairs to rows.
-  void write(tree::Rows& rows) {
+  void write(tree::PairList& rows) {
     const std::size_t n = length_.size();
     rows.start.renew(n + 1);
     rows.start[0] = 0;

@@ -58,7 +58,7 @@ class Partition {
   Partition(Records& records, std::uint32_t n_ctrl)
       : records_(records), spare_(records.size()), n_ctrl_(n_ctrl) {}
 
-  tree::Grown run() {
+  tree::Assembly run() {
     const auto n = static_cast<std::uint32_t>(records_.size());
     if (n > 0) cells_.push_back({0, 0, -1, {}, {0, n}});
     std::vector<std::uint32_t> level_first{0};
@@ -107,7 +107,8 @@ class Partition {
   std::vector<Cell> cells_;
 };
 
-tree::MortonOrder finished(const tree::Domain& domain, Records& records, const tree::Grown& grown) {
+tree::MortonOrder finished(const tree::Domain& domain, Records& records,
+                           const tree::Assembly& grown) {
   const std::size_t n = records.size();
   tree::MortonOrder order{domain, tree::max_level, Unwritten<Key>(n), Unwritten<std::uint32_t>(n)};
 #pragma omp parallel for schedule(static) if (n > tree::worth_sharing)
@@ -132,7 +133,7 @@ tree::Quadtree forward_by_partition(tree::Points points, const tree::Domain& dom
   phase("encode");
   Records records = encoded(points, domain);
   phase("build");
-  tree::Grown grown = Partition(records, n_ctrl).run();
+  tree::Assembly grown = Partition(records, n_ctrl).run();
   phase("finish");
   tree::MortonOrder order = finished(domain, records, grown);
   return std::move(grown).over(std::move(order));
