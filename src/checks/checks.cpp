@@ -8,9 +8,9 @@
 #include <numeric>
 #include <optional>
 
-#include "base/periodogram.hpp"
 #include "checks/free_space.hpp"
 #include "checks/history_rows.hpp"
+#include "checks/periodogram.hpp"
 #include "checks/plunge.hpp"
 #include "io/tables/table.hpp"
 
@@ -131,7 +131,7 @@ std::optional<double> frame_at(const Column& times, double T) {
 /// Relative L2 deviation of the wall vorticity, omega R/U, at the times that wall.csv and the
 /// reference share.
 Column wall_deviations(const io::Scene& scene, const std::filesystem::path& folder,
-                       const setup::FlowCase& flow) {
+                       const flow::FlowCase& flow) {
   const io::Table reference(io::reference_path(scene, *scene.check.wall_vorticity_reference));
   const io::Table wall(folder / "wall.csv");
   const Column rT = reference.column("T"), rAngle = reference.column("theta_deg"),
@@ -162,7 +162,7 @@ Column wall_deviations(const io::Scene& scene, const std::filesystem::path& fold
 }
 
 void check_wall(std::vector<Verdict>& list, const io::Scene& scene,
-                const std::filesystem::path& folder, const setup::FlowCase& flow,
+                const std::filesystem::path& folder, const flow::FlowCase& flow,
                 const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   if (!c.wall_vorticity_reference) return;
@@ -184,7 +184,7 @@ void check_wall(std::vector<Verdict>& list, const io::Scene& scene,
 }  // namespace
 
 std::vector<Verdict> verdicts(const io::Scene& scene, const std::filesystem::path& folder,
-                              const vortex::Blobs& blobs, const setup::FlowCase& flow) {
+                              const vortex::Blobs& blobs, const flow::FlowCase& flow) {
   std::vector<Verdict> list;
   const HistoryRows rows(folder / "report.csv");
   if (flow.wall) {

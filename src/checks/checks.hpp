@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "flow/flow_case.hpp"
 #include "io/scene/scene.hpp"
-#include "setup/flow_case.hpp"
 
 namespace vortree::checks {
 
@@ -34,7 +34,7 @@ struct Verdict {
 ///
 /// blobs  at the end
 std::vector<Verdict> verdicts(const io::Scene& scene, const std::filesystem::path& folder,
-                              const vortex::Blobs& blobs, const setup::FlowCase& flow);
+                              const vortex::Blobs& blobs, const flow::FlowCase& flow);
 
 /// One line: `check passed: drag_max 0.009 of 0.02; not reached: bubble_max (the run ends at T =
 /// 1)`.

@@ -24,9 +24,6 @@ struct Cost {
 };
 Cost cost_of(const io::Scene& scene);
 
-/// More are followed nowhere: a step takes minutes.
-inline constexpr std::size_t most_blobs = 20'000'000;
-
 /// Blobs that so many bytes hold.
 std::size_t blobs_in(double bytes);
 

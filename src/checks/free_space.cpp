@@ -15,7 +15,7 @@ namespace {
 /// The vortex at the end, as seen from the flow's origin, against the exact one, at points out to
 /// four cores in several directions.
 void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
-                      const vortex::Blobs& blobs, const setup::FlowCase& flow,
+                      const vortex::Blobs& blobs, const flow::FlowCase& flow,
                       const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   if (c.exact != io::ExactAnswer::lamb_oseen || !scene.initial || rows.T().empty()) return;
@@ -50,7 +50,7 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
 
 /// What free space keeps, from the first row of the report on.
 void check_invariants(std::vector<Verdict>& list, const io::Scene& scene,
-                      const setup::FlowCase& flow, const HistoryRows& rows) {
+                      const flow::FlowCase& flow, const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   const Column gamma = rows.column("circulation"), x = rows.column("impulse_x"),
                y = rows.column("impulse_y"), second = rows.column("second_moment"),
@@ -188,7 +188,7 @@ void check_energy(std::vector<Verdict>& list, const io::Scene& scene,
 
 void check_free_space(std::vector<Verdict>& list, const io::Scene& scene,
                       const std::filesystem::path& folder, const vortex::Blobs& blobs,
-                      const setup::FlowCase& flow, const HistoryRows& rows) {
+                      const flow::FlowCase& flow, const HistoryRows& rows) {
   check_lamb_oseen(list, scene, blobs, flow, rows);
   if (scene.check.exact == io::ExactAnswer::kirchhoff_ellipse) check_kirchhoff(list, scene, rows);
   if (scene.check.exact == io::ExactAnswer::corotating_pair) check_merger(list, scene, rows);

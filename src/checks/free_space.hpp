@@ -8,6 +8,6 @@ namespace vortree::checks {
 /// merging, travelling, moments against a reference, energy and invariants.
 void check_free_space(std::vector<Verdict>& list, const io::Scene& scene,
                       const std::filesystem::path& folder, const vortex::Blobs& blobs,
-                      const setup::FlowCase& flow, const HistoryRows& rows);
+                      const flow::FlowCase& flow, const HistoryRows& rows);
 
 }  // namespace vortree::checks

@@ -39,7 +39,7 @@ std::complex<double> at_frequency(const Column& t, const Column& values, Periods
 
 /// In fluid at rest, where drag is the force along the plunge.
 void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Column& t,
-                   const Column& force, Periods periods, const setup::FlowCase& flow) {
+                   const Column& force, Periods periods, const flow::FlowCase& flow) {
   constexpr double pi = std::numbers::pi;
   const double omega = flow.problem.flow.plunge.omega();
   const auto off = [&](double value, const std::optional<double>& known) -> Reached {
@@ -56,7 +56,7 @@ void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Co
 
 }  // namespace
 
-void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const setup::FlowCase& flow,
+void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const flow::FlowCase& flow,
                   const HistoryRows& rows) {
   if (!scene.plunge) return;
   const Periods periods = whole_periods(scene, rows);

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "app/program.hpp"
-#include "setup/flow_case.hpp"
+#include "flow/flow_case.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
@@ -60,7 +60,7 @@ TEST_CASE("the estimate of a vortex's blobs is that of its lattice, to a few row
       std::istringstream pairs("initial.kind=" + std::string(kind));
       for (std::string word; pairs >> word;) words.push_back(word);
       const io::Scene asked = scene(gaussian, words);
-      const auto made = static_cast<double>(setup::initial_blobs(asked).size());
+      const auto made = static_cast<double>(flow::initial_blobs(asked).size());
       CHECK(checks::cost_of(asked).blobs == Approx(made).epsilon(0.1));
     }
 }

@@ -7,9 +7,9 @@
 #include <map>
 #include <memory>
 
-#include "app/loop/record.hpp"
 #include "app/program.hpp"
 #include "checks/checks.hpp"
+#include "flow/record.hpp"
 
 namespace vortree::test {
 
@@ -26,7 +26,7 @@ class MadeUpRun {
             const Files& files = {})
       : folder_(filled(files)),
         scene_(io::parse_scene(text, folder_->write("scene.toml", text), overrides)),
-        flow_(setup::flow_case(scene_)) {}
+        flow_(flow::flow_case(scene_)) {}
 
   MadeUpRun& with(const std::string& column, Of value) {
     columns_[column] = std::move(value);
@@ -38,10 +38,10 @@ class MadeUpRun {
 
   std::vector<checks::Verdict> verdicts(int rows, const vortex::Blobs& blobs = {}) const {
     const double dt = scene_.time.dt;
-    std::string report = fmt::format("{}\n", fmt::join(app::Record::names(), ","));
+    std::string report = fmt::format("{}\n", fmt::join(flow::Record::names(), ","));
     for (int k = 1; k <= rows; ++k) {
       std::vector<double> row;
-      for (const std::string& name : app::Record::names()) {
+      for (const std::string& name : flow::Record::names()) {
         const auto given = columns_.find(name);
         const double t = k * dt, T = flow_.wall ? 2 * flow_.speed * t / flow_.diameter : t;
         row.push_back(name == "t"               ? t
@@ -63,7 +63,7 @@ class MadeUpRun {
   }
 
   const io::Scene& scene() const { return scene_; }
-  const setup::FlowCase& flow() const { return flow_; }
+  const flow::FlowCase& flow() const { return flow_; }
 
  private:
   static std::unique_ptr<TemporaryFolder> filled(const Files& files) {
@@ -74,7 +74,7 @@ class MadeUpRun {
 
   std::unique_ptr<TemporaryFolder> folder_;
   io::Scene scene_;
-  setup::FlowCase flow_;
+  flow::FlowCase flow_;
   std::map<std::string, Of> columns_;
 };
 

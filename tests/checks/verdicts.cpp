@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/loop/health.hpp"
 #include "app/loop/run.hpp"
 #include "app/program.hpp"
 #include "checks/checks.hpp"
 #include "checks/history_rows.hpp"
+#include "flow/health.hpp"
 
 using namespace vortree;
 using namespace vortree::test;

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/periodogram.hpp"
+#include "checks/periodogram.hpp"
 #include "flows.hpp"
 #include "vortex/adapt/merge_close.hpp"
 #include "vortex/adapt/split_wide.hpp"
@@ -137,6 +137,6 @@ TEST_CASE("the frequency of a noisy sinusoid, to a hundredth of a bin") {
   const double dt = 0.05, f = 0.1637;
   for (int i = 0; i < 1200; ++i)
     samples.push_back(2 + std::cos(2 * std::numbers::pi * f * dt * i + 1) + 0.1 * uniform());
-  CHECK(dominant_frequency(samples, dt) == Approx(f).margin(0.02 / (1200 * dt)));
-  CHECK_THROWS_AS(power_spectrum(std::vector<double>(7)), std::invalid_argument);
+  CHECK(checks::dominant_frequency(samples, dt) == Approx(f).margin(0.02 / (1200 * dt)));
+  CHECK_THROWS_AS(checks::power_spectrum(std::vector<double>(7)), std::invalid_argument);
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <exception>
 
-#include "tree/order/points.hpp"
+#include "tree/base/range.hpp"
 
 namespace vortree::tree {
 

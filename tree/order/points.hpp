@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "tree/base/range.hpp"
+
 namespace vortree::tree {
 
 /// Positions of n points in the plane [m]; x and y are equally long. A view: whoever made the
@@ -11,14 +13,6 @@ namespace vortree::tree {
 struct Points {
   std::span<const double> x, y;
   [[nodiscard]] std::size_t size() const { return x.size(); }
-};
-
-/// A half-open run [first, last) of points in Morton order, or of cells in level order.
-struct Range {
-  std::uint32_t first = 0, last = 0;
-  [[nodiscard]] std::uint32_t size() const { return last - first; }
-  [[nodiscard]] bool empty() const { return first == last; }
-  bool operator==(const Range&) const = default;
 };
 
 /// The square [x0, x0 + side] x [y0, y0 + side] that the cell of level 0 covers [m].

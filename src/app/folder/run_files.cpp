@@ -70,7 +70,7 @@ io::Scene stored_scene(const io::RunInfo& info, const fs::path& file, const fs::
 
 }  // namespace
 
-RunFiles::RunFiles(const io::Scene& scene, const setup::FlowCase& flow, fs::path folder)
+RunFiles::RunFiles(const io::Scene& scene, const flow::FlowCase& flow, fs::path folder)
     : scene_(scene),
       flow_(flow),
       folder_(std::move(folder)),
@@ -146,9 +146,9 @@ void RunFiles::resume(const io::Frame& frame) {
   io::rewind_frames(folder_, frame.step);
 }
 
-void RunFiles::row(const Record& record) {
+void RunFiles::row(const flow::Record& record) {
   const auto all = record.values();
-  tables_.row(RunTables::report, std::span(all).first(Record::columns));
+  tables_.row(RunTables::report, std::span(all).first(flow::Record::columns));
 }
 
 void RunFiles::frame(io::Frame frame) {

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "app/folder/run_tables.hpp"
-#include "app/loop/record.hpp"
+#include "flow/flow_case.hpp"
+#include "flow/record.hpp"
 #include "io/frames/frames.hpp"
 #include "io/scene/scene.hpp"
 #include "io/tables/fields.hpp"
-#include "setup/flow_case.hpp"
 
 namespace vortree::app {
 
@@ -24,7 +24,7 @@ namespace vortree::app {
 /// summary ever stands beside frames of another run.
 class RunFiles {
  public:
-  RunFiles(const io::Scene& scene, const setup::FlowCase& flow, std::filesystem::path folder);
+  RunFiles(const io::Scene& scene, const flow::FlowCase& flow, std::filesystem::path folder);
 
   /// throws  io::InputError if one of them is an input, or no regular file
   void require_outputs() const;
@@ -42,7 +42,7 @@ class RunFiles {
   /// throws  io::InputError if a table cannot be made again
   void resume(const io::Frame& frame);
 
-  void row(const Record& record);
+  void row(const flow::Record& record);
   void frame(io::Frame frame);
   void field(const io::Field& field);
   /// One row for each panel.
@@ -58,7 +58,7 @@ class RunFiles {
   void resume_fields(const io::Frame& frame);
 
   const io::Scene& scene_;
-  const setup::FlowCase& flow_;
+  const flow::FlowCase& flow_;
   std::filesystem::path folder_;
   RunTables tables_;
   std::vector<double> fields_;  ///< times of the pictures so far

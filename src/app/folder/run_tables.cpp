@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "app/loop/record.hpp"
 #include "app/say.hpp"
+#include "flow/record.hpp"
 
 namespace vortree::app {
 namespace {
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 constexpr std::array<RunTables::Kind, 2> kinds{RunTables::report, RunTables::other};
 
 std::vector<std::string> columns(RunTables::Kind kind, bool wall) {
-  if (kind == RunTables::report) return Record::names();
+  if (kind == RunTables::report) return flow::Record::names();
   if (wall) return {"t", "T", "angle_deg", "vorticity", "sheet"};
   return {"t", "energy", "enstrophy"};
 }

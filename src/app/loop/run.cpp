@@ -10,10 +10,7 @@
 #include "app/folder/output_folder.hpp"
 #include "app/folder/run_files.hpp"
 #include "app/install_paths.hpp"
-#include "app/loop/health.hpp"
 #include "app/loop/progress.hpp"
-#include "app/loop/record.hpp"
-#include "app/loop/sample.hpp"
 #include "app/loop/signals.hpp"
 #include "app/loop/summary.hpp"
 #include "app/plot.hpp"
@@ -23,11 +20,14 @@
 #include "checks/checks.hpp"
 #include "checks/cost.hpp"
 #include "checks/warnings.hpp"
+#include "flow/flow_case.hpp"
+#include "flow/health.hpp"
+#include "flow/record.hpp"
+#include "flow/sample.hpp"
+#include "flow/timetable.hpp"
 #include "io/frames/frames.hpp"
 #include "io/json.hpp"
 #include "io/quote.hpp"
-#include "setup/flow_case.hpp"
-#include "setup/timetable.hpp"
 
 namespace vortree::app {
 namespace {
@@ -42,7 +42,7 @@ class Run {
         folder_(options.out),
         figures_(options.figures),
         timetable_(scene_),
-        flow_(setup::flow_case(scene_)),
+        flow_(flow::flow_case(scene_)),
         files_(scene_, flow_, folder_),
         history_(flow_),
         growth_(flow_) {
@@ -62,23 +62,23 @@ class Run {
   void observe(const vortex::Wake& wake);
   [[noreturn]] void give_up(const std::string& reason, vortex::Blobs last_good);
   std::string kept() const;
-  double drift(const Record& record) const;
+  double drift(const flow::Record& record) const;
   double share_gone() const;
   RunResult finish();
-  History::Write writer() {
-    return [this](const Record& record) { files_.row(record); };
+  flow::History::Write writer() {
+    return [this](const flow::Record& record) { files_.row(record); };
   }
 
   io::Scene scene_;
   fs::path folder_;
   bool figures_;
-  setup::Timetable timetable_;
-  setup::FlowCase flow_;
+  flow::Timetable timetable_;
+  flow::FlowCase flow_;
   RunFiles files_;
   vortex::Blobs blobs_;
-  History history_;
+  flow::History history_;
   Totals totals_;
-  Growth growth_;
+  flow::Growth growth_;
   Stopwatch watch_;
   Stopwatch::Phases before_step_;
   std::vector<double> sheet_, wall_vorticity_;
@@ -88,7 +88,7 @@ class Run {
 
 void Run::begin() {
   files_.begin();
-  blobs_ = setup::initial_blobs(scene_);
+  blobs_ = flow::initial_blobs(scene_);
   const vortex::Wake wake = vortex::start(blobs_, flow_.problem);
   observe(wake);
   save_fields();
@@ -130,7 +130,7 @@ void Run::observe(const vortex::Wake& wake) {
     wall_vorticity_ = wake.wall_vorticity;
   }
   growth_.add(blobs_.size());
-  Record record = measure(step_, blobs_, wake, flow_);
+  flow::Record record = flow::measure(step_, blobs_, wake, flow_);
   if (step_ == 0) second_moment_at_start_ = record.second_moment;
   totals_.particle_steps += step_ > 0 ? record.blobs : 0;
   totals_.most_blobs = std::max(totals_.most_blobs, record.blobs);
@@ -178,13 +178,13 @@ void Run::advance() {
     wake = vortex::step(blobs_, flow_.problem, static_cast<std::uint64_t>(step_),
                         [this](std::string_view phase) { watch_.begin(phase); });
   } catch (const vortex::Multiplied& many) {
-    const std::string reason = multiplied(many.blobs, before.size(), flow_);
+    const std::string reason = flow::multiplied(many.blobs, before.size(), flow_);
     give_up(reason, std::move(before));
   } catch (const std::exception& refused) {
     give_up(refused.what(), std::move(before));
   }
   watch_.begin("output");
-  if (const std::string reason = broken(blobs_, flow_, time(step_)); !reason.empty())
+  if (const std::string reason = flow::broken(blobs_, flow_, time(step_)); !reason.empty())
     give_up(reason, std::move(before));
   flow_.problem.retired = wake.retired;
   flow_.problem.time = time(step_);
@@ -201,12 +201,12 @@ void Run::save() {
   const Vec2 origin = flow_.origin.at(time(step_)), drift = flow_.origin.drift;
   io::Frame frame{.step = step_,
                   .time = time(step_),
-                  .x = setup::moved(blobs_.x, origin.x),
-                  .y = setup::moved(blobs_.y, origin.y),
+                  .x = flow::moved(blobs_.x, origin.x),
+                  .y = flow::moved(blobs_.y, origin.y),
                   .gamma = blobs_.gamma,
                   .sigma = blobs_.sigma,
-                  .u = setup::moved(u.u, drift.x),
-                  .v = setup::moved(u.v, drift.y),
+                  .u = flow::moved(u.u, drift.x),
+                  .v = flow::moved(u.v, drift.y),
                   .state = {}};
   if (dot(origin, origin) > 0) {
     frame.state["x_in_flow"] = blobs_.x;
@@ -228,7 +228,7 @@ void Run::save() {
   } else {
     files_.energy(time(step_), blobs_);
   }
-  if (const std::string bad = not_finite(frame); !bad.empty())
+  if (const std::string bad = flow::not_finite(frame); !bad.empty())
     throw std::runtime_error(
         fmt::format("step {}, t = {:g}: {}; {}", step_, time(step_), bad, kept()));
   files_.frame(std::move(frame));
@@ -236,12 +236,13 @@ void Run::save() {
 }
 
 void Run::save_fields() {
-  if (timetable_.field_due(step_)) files_.field(picture(time(step_), scene_.output, blobs_, flow_));
+  if (timetable_.field_due(step_))
+    files_.field(flow::picture(time(step_), scene_.output, blobs_, flow_));
 }
 
 /// Relative drift of what is kept: circulation beside a wall, else the second moment but for
 /// diffusion.
-double Run::drift(const Record& now) const {
+double Run::drift(const flow::Record& now) const {
   if (flow_.wall) return std::abs(now.circulation) / (flow_.speed * flow_.diameter);
   const double grown = 4 * flow_.problem.flow.nu * now.t * now.circulation;
   const double expected = second_moment_at_start_ + grown;

@@ -17,13 +17,13 @@ TEST_CASE("the angle of a vector is that of atan2, in every direction and of eve
       x[lane] = size * std::cos(phi);
       y[lane] = size * std::sin(phi) * std::pow(10, k % 4 == 0 ? -12 * uniform() : 0);
     }
-    const Lanes angle = vortex::angle_of(y, x);
+    const Lanes angle = angle_of(y, x);
     for (int lane = 0; lane < lane_count; ++lane)
       CHECK(std::abs(angle[lane] - std::atan2(y[lane], x[lane])) <= 5e-16);
   }
   const double along[][2] = {{0, 0}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {1, 1}, {-1, 1}, {-1, -1}};
   for (const auto& [y, x] : along)
-    CHECK(vortex::angle_of(fill(y), fill(x))[0] == Approx(std::atan2(y, x)).epsilon(1e-15));
+    CHECK(angle_of(fill(y), fill(x))[0] == Approx(std::atan2(y, x)).epsilon(1e-15));
 }
 
 TEST_CASE("a vortex does not move its own place") {

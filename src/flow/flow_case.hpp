@@ -7,7 +7,10 @@
 #include "io/scene/scene.hpp"
 #include "vortex/step.hpp"
 
-namespace vortree::setup {
+namespace vortree::flow {
+
+/// More blobs are followed nowhere: a step takes minutes.
+inline constexpr std::size_t most_blobs = 20'000'000;
 
 /// From where positions are counted while a flow is computed: the centre of the body, or that of
 /// the initial vorticity, which goes with the stream in free space. Round-off is then that of the
@@ -28,9 +31,9 @@ struct FlowCase {
   std::unique_ptr<vortex::Velocity> velocity;
   vortex::Problem problem;
   Origin origin;
-  std::optional<vortex::Box> box;  // of [merging], in the scene
-  std::size_t held_blobs = -1ul;   // by the machine's memory
-  double crowding = 1;             // io::crowding: how many times the usual number of blobs
+  std::optional<vortex::Box> box;       // of [merging], in the scene
+  std::size_t held_blobs = most_blobs;  // by the machine's memory
+  double crowding = 1;                  // io::crowding: how many times the usual number of blobs
 
   /// For a step from the problem's time to this one.
   void step_to(double time);
@@ -48,4 +51,4 @@ FlowCase flow_case(const io::Scene& scene);
 /// The vorticity at t = 0, before any wall has released its sheet, as seen from the flow's origin.
 vortex::Blobs initial_blobs(const io::Scene& scene);
 
-}  // namespace vortree::setup
+}  // namespace vortree::flow

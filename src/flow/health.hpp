@@ -3,15 +3,15 @@
 #include <deque>
 #include <string>
 
+#include "flow/flow_case.hpp"
 #include "io/frames/frames.hpp"
-#include "setup/flow_case.hpp"
 
-namespace vortree::app {
+namespace vortree::flow {
 
 /// How many blobs there were after the steps of late, and how many there may be after the next.
 class Growth {
  public:
-  explicit Growth(const setup::FlowCase& flow) : flow_(flow) {}
+  explicit Growth(const FlowCase& flow) : flow_(flow) {}
 
   /// After each step, and at the start.
   void add(std::size_t blobs);
@@ -26,21 +26,21 @@ class Growth {
   std::size_t most(double time) const;
 
  private:
-  const setup::FlowCase& flow_;
+  const FlowCase& flow_;
   std::deque<std::size_t> counts_;  // six at most, the oldest first
 };
 
 /// Why a run cannot go on with so many, in words.
-std::string multiplied(std::size_t blobs, std::size_t before, const setup::FlowCase& flow);
+std::string multiplied(std::size_t blobs, std::size_t before, const FlowCase& flow);
 
 /// Why a run cannot go on from these blobs, in words, or nothing:
 ///
 /// - a number that is not finite
 /// - beside a body, sum |gamma| beyond 100 U D (and more for each ten diameters of way). An
 ///   impulsive start has 4 U D, and a wake gains less than 1 U D a diameter
-std::string broken(const vortex::Blobs& blobs, const setup::FlowCase& flow, double time);
+std::string broken(const vortex::Blobs& blobs, const FlowCase& flow, double time);
 
 /// Which column of a frame has a number that is not finite, in words, or nothing.
 std::string not_finite(const io::Frame& frame);
 
-}  // namespace vortree::app
+}  // namespace vortree::flow

@@ -1,4 +1,4 @@
-#include "setup/flow_case.hpp"
+#include "flow/flow_case.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -7,7 +7,7 @@
 #include "io/scene/scales.hpp"
 #include "vortex/blobs/lattice.hpp"
 
-namespace vortree::setup {
+namespace vortree::flow {
 namespace {
 
 /// Blobs of less circulation beside a body are let go [U D]. In a run they add up to less than the
@@ -161,4 +161,4 @@ vortex::Blobs initial_blobs(const io::Scene& scene) {
   return vortex::gaussian_ellipse(lattice, i.circulation, i.core, i.core);
 }
 
-}  // namespace vortree::setup
+}  // namespace vortree::flow

@@ -1,4 +1,4 @@
-#include "base/periodogram.hpp"
+#include "checks/periodogram.hpp"
 
 #include <fftw3.h>
 
@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace vortree {
+namespace vortree::checks {
 namespace {
 
 constexpr std::size_t padding = 4;  // length with zeros, of the samples
@@ -51,4 +51,4 @@ double dominant_frequency(std::span<const double> samples, double dt) {
   return at / (static_cast<double>(padding * samples.size()) * dt);
 }
 
-}  // namespace vortree
+}  // namespace vortree::checks

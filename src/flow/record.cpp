@@ -1,4 +1,4 @@
-#include "app/loop/record.hpp"
+#include "flow/record.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,7 @@
 #include "vortex/blobs/moments.hpp"
 #include "vortex/wall/near_wake.hpp"
 
-namespace vortree::app {
+namespace vortree::flow {
 
 std::array<double, Record::numbers> Record::values() const {
   return std::bit_cast<std::array<double, numbers>>(*this);
@@ -49,7 +49,7 @@ std::vector<std::string> Record::names() {
 }
 
 Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
-               const setup::FlowCase& flow) {
+               const FlowCase& flow) {
   const vortex::Problem& p = flow.problem;
   const vortex::Invariants now = vortex::invariants(blobs, p.wall ? &p.wall->shape() : nullptr);
   Record record;
@@ -111,7 +111,7 @@ Course course_of(std::span<const Record> records) {
 /// A body at rest feels minus the rate of change of the fluid's impulse; of what the pressure has
 /// given it, the rate is the force.
 Record with_forces(const Record& record, const Course& course, const RateOfChange& rate,
-                   const setup::FlowCase& flow) {
+                   const FlowCase& flow) {
   Record done = record;
   const Vec2 along = flow.along, across{-along.y, along.x};
   const double scale = 2 / (flow.speed * flow.speed * flow.diameter);
@@ -161,4 +161,4 @@ void History::restore(std::span<const double> values) {
     recent_.push_back(Record::from(values.subspan(k, Record::numbers)));
 }
 
-}  // namespace vortree::app
+}  // namespace vortree::flow

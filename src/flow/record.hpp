@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "setup/flow_case.hpp"
+#include "flow/flow_case.hpp"
 
-namespace vortree::app {
+namespace vortree::flow {
 
 /// What a run measures after each step, as columns of report.csv.
 ///
@@ -41,7 +41,7 @@ struct Record {
 
 /// All that can be said of the flow at once; forces by impulse need the neighbors in time.
 Record measure(long step, const vortex::Blobs& blobs, const vortex::Wake& wake,
-               const setup::FlowCase& flow);
+               const FlowCase& flow);
 
 /// Records that wait for the next one, since a force is a rate of change:
 ///
@@ -56,7 +56,7 @@ class History {
  public:
   using Write = std::function<void(const Record&)>;
 
-  explicit History(const setup::FlowCase& flow) : flow_(flow) {}
+  explicit History(const FlowCase& flow) : flow_(flow) {}
 
   void add(const Record& record, const Write& write);
   void finish(const Write& write);
@@ -68,8 +68,8 @@ class History {
  private:
   static constexpr std::size_t most = 4;
 
-  const setup::FlowCase& flow_;
+  const FlowCase& flow_;
   std::vector<Record> recent_;  // the oldest first
 };
 
-}  // namespace vortree::app
+}  // namespace vortree::flow

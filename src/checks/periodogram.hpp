@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-namespace vortree {
+namespace vortree::checks {
 
 /// Power of a signal sampled at even times, by frequency: |sum_n w_n (a_n - mean) exp(-2 pi i k
 /// n/N)|^2 with Hann's window w, N the samples and as many zeros again three times over (so that
@@ -16,4 +16,4 @@ std::vector<double> power_spectrum(std::span<const double> samples);
 /// error  a hundredth of 1/(n dt) for a lone sinusoid of more than four periods
 double dominant_frequency(std::span<const double> samples, double dt);
 
-}  // namespace vortree
+}  // namespace vortree::checks

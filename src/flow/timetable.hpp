@@ -4,7 +4,7 @@
 
 #include "io/scene/scene.hpp"
 
-namespace vortree::setup {
+namespace vortree::flow {
 
 /// When a run does what: times are moments k dt, and what a scene asks for at any other time is
 /// done at the nearest.
@@ -28,4 +28,4 @@ class Timetable {
 /// pictures that are no multiple of time.dt, with what comes instead, and pictures beyond the end.
 std::vector<std::string> warnings_of_times(const io::Scene& scene);
 
-}  // namespace vortree::setup
+}  // namespace vortree::flow

@@ -3,11 +3,11 @@
 #include <functional>
 #include <numbers>
 
-#include "app/loop/record.hpp"
+#include "flow/record.hpp"
 #include "io/scene/scene.hpp"
 
 using namespace vortree;
-using app::Record;
+using flow::Record;
 
 namespace {
 
@@ -27,8 +27,8 @@ dt = 0.05
 end = 10
 )";
 
-setup::FlowCase flow_of(const std::vector<std::string>& overrides = {}) {
-  return setup::flow_case(io::parse_scene(cylinder, "cylinder.toml", overrides));
+flow::FlowCase flow_of(const std::vector<std::string>& overrides = {}) {
+  return flow::flow_case(io::parse_scene(cylinder, "cylinder.toml", overrides));
 }
 
 using Of = std::function<double(double t)>;
@@ -47,9 +47,9 @@ std::vector<Record> records(const Of& given, double dt, int n, double start = 0)
   return list;
 }
 
-std::vector<Record> rows_of(const std::vector<Record>& all, const setup::FlowCase& flow) {
+std::vector<Record> rows_of(const std::vector<Record>& all, const flow::FlowCase& flow) {
   std::vector<Record> rows;
-  app::History history(flow);
+  flow::History history(flow);
   const auto keep = [&](const Record& row) { rows.push_back(row); };
   for (const Record& one : all) history.add(one, keep);
   history.finish(keep);
@@ -139,7 +139,7 @@ TEST_CASE("a history that is saved and restored goes on to the same bits, wherev
   for (std::size_t cut = 1; cut < list.size(); ++cut) {
     std::vector<Record> rows;
     const auto keep = [&](const Record& row) { rows.push_back(row); };
-    app::History first(flow), second(flow);
+    flow::History first(flow), second(flow);
     for (std::size_t k = 0; k < cut; ++k) first.add(list[k], keep);
     second.restore(first.saved());
     for (std::size_t k = cut; k < list.size(); ++k) second.add(list[k], keep);
@@ -150,7 +150,7 @@ TEST_CASE("a history that is saved and restored goes on to the same bits, wherev
 }
 
 TEST_CASE("free space has rows without forces, and a start alone has none") {
-  const auto flow = setup::flow_case(io::parse_scene(
+  const auto flow = flow::flow_case(io::parse_scene(
       "[flow]\nnu = 1e-3\n[cores]\nsigma_0 = 0.1\nsigma_max = 0.2\n[initial]\nkind = "
       "\"lamb_oseen\"\ncirculation = 1\ncore = 0.3\n[time]\ndt = 0.02\nend = 1\n",
       "vortex.toml"));

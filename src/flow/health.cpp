@@ -1,13 +1,11 @@
-#include "app/loop/health.hpp"
+#include "flow/health.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "checks/cost.hpp"
-
-namespace vortree::app {
+namespace vortree::flow {
 namespace {
 
 constexpr std::size_t many_blobs = 20'000, many_of_late = 5000, many_a_panel = 100;
@@ -29,9 +27,8 @@ void Growth::add(std::size_t blobs) {
 std::size_t Growth::most(double time) const {
   const vortex::Problem& p = flow_.problem;
   const auto times = [&](double usual) { return static_cast<std::size_t>(flow_.crowding * usual); };
-  const std::size_t ceiling = std::min(checks::most_blobs, flow_.held_blobs),
-                    many = times(many_blobs), before = counts_.back(),
-                    split = p.splitting.children * before;
+  const std::size_t ceiling = std::min(most_blobs, flow_.held_blobs), many = times(many_blobs),
+                    before = counts_.back(), split = p.splitting.children * before;
   if (!flow_.wall && !splits_endlessly(p))
     return std::min(ceiling, std::max(many, p.splitting.children * split));
   if (p.merging.tolerance == 0)  // asked for
@@ -45,7 +42,7 @@ std::size_t Growth::most(double time) const {
   return std::min({ceiling, soon, later});
 }
 
-std::string multiplied(std::size_t blobs, std::size_t before, const setup::FlowCase& flow) {
+std::string multiplied(std::size_t blobs, std::size_t before, const FlowCase& flow) {
   const std::string counts = fmt::format("{} blobs after {}: ", blobs, before);
   if (blobs > flow.held_blobs)
     return counts + fmt::format("the machine's memory holds {}", flow.held_blobs);
@@ -70,7 +67,7 @@ std::string not_finite(const io::Frame& frame) {
   return "";
 }
 
-std::string broken(const vortex::Blobs& blobs, const setup::FlowCase& flow, double time) {
+std::string broken(const vortex::Blobs& blobs, const FlowCase& flow, double time) {
   double strength = 0;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     if (!std::isfinite(blobs.x[i] + blobs.y[i] + blobs.gamma[i] + blobs.sigma[i]))
@@ -87,4 +84,4 @@ std::string broken(const vortex::Blobs& blobs, const setup::FlowCase& flow, doub
   return "";
 }
 
-}  // namespace vortree::app
+}  // namespace vortree::flow

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "flow/flow_case.hpp"
 #include "io/tables/fields.hpp"
-#include "setup/flow_case.hpp"
 
-namespace vortree::app {
+namespace vortree::flow {
 
 /// Velocity and vorticity on the grid of the scene's [output] window; both 0 within a body.
 io::Field picture(double time, const io::SceneOutput& output, const vortex::Blobs& blobs,
-                  const setup::FlowCase& flow);
+                  const FlowCase& flow);
 
-}  // namespace vortree::app
+}  // namespace vortree::flow

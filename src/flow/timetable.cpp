@@ -1,4 +1,4 @@
-#include "setup/timetable.hpp"
+#include "flow/timetable.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +8,7 @@
 
 #include "io/scene/time.hpp"
 
-namespace vortree::setup {
+namespace vortree::flow {
 namespace {
 
 /// The moment next to t, as a step; one behind the last if it is later.
@@ -68,4 +68,4 @@ std::vector<std::string> warnings_of_times(const io::Scene& scene) {
   return list;
 }
 
-}  // namespace vortree::setup
+}  // namespace vortree::flow

@@ -1,8 +1,8 @@
-#include "app/loop/sample.hpp"
+#include "flow/sample.hpp"
 
 #include "vortex/wall/vorticity.hpp"
 
-namespace vortree::app {
+namespace vortree::flow {
 namespace {
 
 std::vector<double> axis(double first, double last, double step) {
@@ -14,7 +14,7 @@ std::vector<double> axis(double first, double last, double step) {
 }  // namespace
 
 io::Field picture(double time, const io::SceneOutput& output, const vortex::Blobs& blobs,
-                  const setup::FlowCase& flow) {
+                  const FlowCase& flow) {
   const auto [x0, y0, x1, y1] = *output.window;
   const double h = *output.field_spacing;
   io::Field field{
@@ -27,16 +27,16 @@ io::Field picture(double time, const io::SceneOutput& output, const vortex::Blob
     }
   const body::Shape* shape = flow.wall ? &flow.wall->shape() : nullptr;
   const Vec2 origin = flow.origin.at(time);
-  x = setup::moved(std::move(x), -origin.x);
-  y = setup::moved(std::move(y), -origin.y);
+  x = flow::moved(std::move(x), -origin.x);
+  y = flow::moved(std::move(y), -origin.y);
   vortex::Velocities u = vortex::velocity_at({x, y}, blobs, flow.problem);
   field.omega.resize(x.size());
   vortex::vorticity(blobs, shape, {x, y}, field.omega);
   for (std::size_t k = 0; shape && k < x.size(); ++k)
     if (shape->nearest({x[k], y[k]}).distance < 0) u.u[k] = u.v[k] = 0;
-  field.u = setup::moved(std::move(u.u), flow.origin.drift.x);
-  field.v = setup::moved(std::move(u.v), flow.origin.drift.y);
+  field.u = flow::moved(std::move(u.u), flow.origin.drift.x);
+  field.v = flow::moved(std::move(u.v), flow.origin.drift.y);
   return field;
 }
 
-}  // namespace vortree::app
+}  // namespace vortree::flow

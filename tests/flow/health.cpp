@@ -1,4 +1,4 @@
-#include "app/loop/health.hpp"
+#include "flow/health.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -11,8 +11,8 @@ using Catch::Matchers::Contains;
 namespace {
 
 // U = D = 1, steps of 0.05.
-setup::FlowCase cylinder() {
-  return setup::flow_case(io::parse_scene(
+flow::FlowCase cylinder() {
+  return flow::flow_case(io::parse_scene(
       "[flow]\nnu = 0.01\nstream = [1.0, 0.0]\n[body]\nradius = 0.5\npanels = 16\n[cores]\n"
       "sigma_0 = 0.05\nsigma_max = 0.1\n[merging]\ntolerance = 0.1\n[time]\ndt = 0.05\nend = 10\n",
       "cylinder.toml"));
@@ -27,8 +27,8 @@ vortex::Blobs blobs(std::size_t n, double gamma = 1e-6) {
 }  // namespace
 
 TEST_CASE("blobs that are finite, few and weak are no reason to end") {
-  CHECK(app::broken(blobs(100), cylinder(), 5) == "");
-  CHECK(app::broken(blobs(0), cylinder(), 0.05) == "");
+  CHECK(flow::broken(blobs(100), cylinder(), 5) == "");
+  CHECK(flow::broken(blobs(0), cylinder(), 0.05) == "");
 }
 
 TEST_CASE("a number that is not finite is a reason, in any column, and names its blob") {
@@ -38,7 +38,7 @@ TEST_CASE("a number that is not finite is a reason, in any column, and names its
          {&vortex::Blobs::x, &vortex::Blobs::y, &vortex::Blobs::gamma, &vortex::Blobs::sigma}) {
       auto some = blobs(10);
       (some.*column)[7] = bad;
-      CHECK(app::broken(some, flow, 5) == "blob 7 of 10 is no longer finite");
+      CHECK(flow::broken(some, flow, 5) == "blob 7 of 10 is no longer finite");
     }
 }
 
@@ -46,7 +46,7 @@ TEST_CASE(
     "a step may leave three times the blobs, or 20 000, and more for each panel at the start") {
   const auto flow = cylinder();
   const auto most = [&](const std::vector<std::size_t>& counts, double time) {
-    app::Growth growth(flow);
+    flow::Growth growth(flow);
     for (const std::size_t count : counts) growth.add(count);
     return growth.most(time);
   };
@@ -59,7 +59,7 @@ TEST_CASE(
 
 TEST_CASE("from 5000 blobs on five steps may leave three times as many, too") {
   const auto flow = cylinder();
-  app::Growth growth(flow);
+  flow::Growth growth(flow);
   for (const std::size_t count : {2'000, 2'600, 3'400, 4'400, 5'700}) growth.add(count);
   CHECK(growth.most(5) == 20'000);  // too little is known
   growth.add(5'900);
@@ -73,7 +73,7 @@ TEST_CASE("a tolerance that lets fewer merge may leave more blobs") {
   auto flow = cylinder();
   CHECK(flow.crowding == 1);
   flow.crowding = 10;
-  app::Growth growth(flow);
+  flow::Growth growth(flow);
   growth.add(6'000);
   CHECK(growth.most(5) == 200'000);
   CHECK(growth.most(0.05) == 200'000);
@@ -87,10 +87,10 @@ TEST_CASE("in free space all may split at once, and twice, unless children are t
       "0.2\n[cores]\n"
       "sigma_0 = 0.04\nsigma_max = 0.05\n[time]\ndt = 0.02\nend = 1.0\n";
   const auto most = [&](const std::vector<std::string>& overrides) {
-    const auto flow = setup::flow_case(io::parse_scene(scene, "vortex.toml", overrides));
-    app::Growth growth(flow);
+    const auto flow = flow::flow_case(io::parse_scene(scene, "vortex.toml", overrides));
+    flow::Growth growth(flow);
     for (const std::size_t count : {2'000, 2'000, 2'000, 8'000, 8'000, 8'000}) growth.add(count);
-    CHECK_THAT(app::multiplied(200'000, 8'000, flow),
+    CHECK_THAT(flow::multiplied(200'000, 8'000, flow),
                Contains(overrides.empty() ? "larger merging.tolerance" : "larger cores.sigma_max"));
     return growth.most(0.2);
   };
@@ -101,13 +101,13 @@ TEST_CASE("in free space all may split at once, and twice, unless children are t
 TEST_CASE("blobs that never merge, as the scene has it, may all have children in a step") {
   auto flow = cylinder();
   flow.problem.merging.tolerance = 0;
-  app::Growth growth(flow);
+  flow::Growth growth(flow);
   growth.add(10'000);
   CHECK(growth.most(5) == 40'000);
-  CHECK_THAT(app::multiplied(50'000, 10'000, flow), Contains("they split and never merge"));
+  CHECK_THAT(flow::multiplied(50'000, 10'000, flow), Contains("they split and never merge"));
   flow.held_blobs = 30'000;
   CHECK(growth.most(5) == 30'000);
-  CHECK_THAT(app::multiplied(50'000, 10'000, flow), Contains("the machine's memory holds 30000"));
+  CHECK_THAT(flow::multiplied(50'000, 10'000, flow), Contains("the machine's memory holds 30000"));
 }
 
 TEST_CASE("a frame is looked through before it is written, velocities too") {
@@ -118,19 +118,19 @@ TEST_CASE("a frame is looked through before it is written, velocities too") {
                        .u = {1, 2},
                        .v = {1, 2},
                        .state = {}};
-  CHECK(app::not_finite(good) == "");
+  CHECK(flow::not_finite(good) == "");
   for (auto column : {&io::Frame::x, &io::Frame::y, &io::Frame::gamma, &io::Frame::sigma,
                       &io::Frame::u, &io::Frame::v}) {
     io::Frame bad = good;
     (bad.*column)[1] = INFINITY;
-    CHECK_THAT(app::not_finite(bad), Contains("of blob 1 of 2 is inf"));
+    CHECK_THAT(flow::not_finite(bad), Contains("of blob 1 of 2 is inf"));
   }
 }
 
 TEST_CASE("more vorticity than a wake can have is a reason beside a body, more of it later on") {
   const auto flow = cylinder();
-  CHECK(app::broken(blobs(100, 0.99), flow, 5) == "");
-  CHECK_THAT(app::broken(blobs(100, 1.01), flow, 5), Contains("grown to 101 U D"));
-  CHECK(app::broken(blobs(100, 1.99), flow, 20) == "");
-  CHECK_THAT(app::broken(blobs(100, 2.01), flow, 20), Contains("grown to 201 U D"));
+  CHECK(flow::broken(blobs(100, 0.99), flow, 5) == "");
+  CHECK_THAT(flow::broken(blobs(100, 1.01), flow, 5), Contains("grown to 101 U D"));
+  CHECK(flow::broken(blobs(100, 1.99), flow, 20) == "");
+  CHECK_THAT(flow::broken(blobs(100, 2.01), flow, 20), Contains("grown to 201 U D"));
 }
