@@ -157,7 +157,7 @@ TEST_CASE("blobs merge alike in any units of length and circulation, to the last
   // Powers of two, so that nothing is rounded; some 1e-18 and 1e18 times as much.
   for (const auto& [length, circulation] : {std::pair{0x1p-60, 1.0}, std::pair{1.0, 0x1p-60},
                                             std::pair{0x1p60, 1.0}, std::pair{0x1p-30, 0x1p60}}) {
-    const auto scaled = [&](Blobs some) {
+    const auto scaled = [&, length = length, circulation = circulation](Blobs some) {
       for (std::size_t i = 0; i < some.size(); ++i) {
         some.x[i] *= length;
         some.y[i] *= length;
