@@ -1,6 +1,7 @@
 #include "fmm/direct.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,12 @@ std::vector<Packed> tiles(const Blobs& blobs, const Units& units, Pack pack) {
     sources.close();
   }
   return packed;
+}
+
+double total(const Blobs& blobs, const Units& units) {
+  double all = 0.0;
+  for (const double gamma : blobs.gamma) all += units.circulation(gamma);
+  return all;
 }
 
 struct Batch {
@@ -69,9 +76,7 @@ void sum_all(const Blobs& blobs, const Targets& targets, std::span<double> u, st
     }
   }
   units.check_range(found, n, 0);
-  double all = 0.0;
-  for (const double gamma : blobs.gamma) all += units.circulation(gamma);
-  units.finish_far(all, targets.x, targets.y, u, v);
+  units.finish_far(total(blobs, units), targets.x, targets.y, u, v);
 }
 
 bool bare(const Blobs& blobs, const Targets& targets, Cores cores) {
@@ -79,6 +84,39 @@ bool bare(const Blobs& blobs, const Targets& targets, Cores cores) {
     return std::ranges::all_of(sigma, [](double value) { return value == 0.0; });
   };
   return all_zero(blobs.sigma) && (cores == Cores::source || all_zero(targets.sigma));
+}
+
+/// What a field sums over all pairs, in Units.
+template <class Field>
+void sum_field(const Field& field, const Blobs& blobs, const Targets& targets, Cores cores,
+               const Units& units, std::array<double*, 3> sums) {
+  const auto sources = tiles(blobs, units, std::identity{});
+  const bool without = bare(blobs, targets, cores);
+  const std::size_t n = targets.size();
+  for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(sums[s], n, 0.0);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t first = 0; first < n; first += batch) {
+    const Batch local(targets, first, units);
+    FieldTargets some{local.x, local.y, local.core, {}, local.size};
+    for (std::size_t s = 0; s < Field::count; ++s) some.sums[s] = sums[s] + first;
+    for (const Packed& packed : sources) {
+      if (without) {
+        field.add_bare(packed, some);
+      } else {
+        field.add_cored(packed, CoreShares(cores), some);
+      }
+    }
+  }
+}
+
+Units checked(const Blobs& blobs, const Targets& targets, bool log) {
+  const Units units = check(blobs);
+  check(targets);
+  for (const std::span<const double> sigma : {blobs.sigma, targets.sigma}) {
+    const std::string complaint = complain_of_cores(sigma, units, log);
+    if (!complaint.empty()) throw std::invalid_argument(complaint);
+  }
+  return units;
 }
 
 }  // namespace
@@ -99,34 +137,23 @@ void velocity_direct(const Blobs& blobs, const Targets& targets, Cores cores, st
 
 void gradient_direct(const Blobs& blobs, const Targets& targets, Cores cores, std::span<double> ux,
                      std::span<double> uy, std::span<double> vx) {
-  const Units units = check(blobs);
-  check(targets);
-  for (const std::span<const double> sigma : {blobs.sigma, targets.sigma}) {
-    const std::string complaint = complain_of_cores(sigma, units, false);
-    if (!complaint.empty()) throw std::invalid_argument(complaint);
-  }
+  const Units units = checked(blobs, targets, false);
   check_result(targets.size(), "ux", ux);
   check_result(targets.size(), "uy", uy);
   check_result(targets.size(), "vx", vx);
-  const auto sources = tiles(blobs, units, std::identity{});
-  const bool without = bare(blobs, targets, cores);
-  for (const std::span<double> sums : {ux, uy, vx}) std::ranges::fill(sums, 0.0);
+  sum_field(Gradient{}, blobs, targets, cores, units, {uy.data(), ux.data(), vx.data()});
   const std::size_t n = targets.size();
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t first = 0; first < n; first += batch) {
-    const Batch local(targets, first, units);
-    const FieldTargets some{
-        local.x, local.y, local.core, {&uy[first], &ux[first], &vx[first]}, local.size};
-    for (const Packed& packed : sources) {
-      if (without) {
-        Gradient{}.add_bare(packed, some);
-      } else {
-        Gradient{}.add_cored(packed, CoreShares(cores), some);
-      }
-    }
-  }
   units.check_range(sum_of_squares(ux) + sum_of_squares(uy) + sum_of_squares(vx), n, 1);
   finish_gradient(units, ux, uy, vx);
+}
+
+void stream_function_direct(const Blobs& blobs, const Targets& targets, Cores cores,
+                            std::span<double> psi) {
+  const Units units = checked(blobs, targets, true);
+  check_result(targets.size(), "psi", psi);
+  sum_field(StreamFunction{log_unit(units), {}}, blobs, targets, cores, units, {psi.data()});
+  const double found = finish_stream_function(units, total(blobs, units), targets, psi);
+  units.check_range(found, psi.size(), -1);
 }
 
 }  // namespace vortree::fmm

@@ -26,4 +26,12 @@ void velocity_direct(const Blobs& blobs, const Targets& targets, Cores cores, st
 void gradient_direct(const Blobs& blobs, const Targets& targets, Cores cores, std::span<double> ux,
                      std::span<double> uy, std::span<double> vx);
 
+/// The stream function of Plan::stream_function, every pair summed.
+///
+/// psi     as many as targets [m^2/s]; overwritten
+/// error   round-off; bare pairs at r = 0 contribute nothing
+/// cost, throws as velocity_direct
+void stream_function_direct(const Blobs& blobs, const Targets& targets, Cores cores,
+                            std::span<double> psi);
+
 }  // namespace vortree::fmm

@@ -12,7 +12,8 @@ namespace vortree::fmm {
 
 /// fmm     multipoles and local expansions: O(n)
 /// boxes   multipoles straight to the targets: O(n log n); every source's core is guarded by itself
-enum class Method { fmm, boxes };
+/// direct  every pair summed, to round-off: O(n^2); tolerance, order and tree do not matter
+enum class Method { fmm, boxes, direct };
 
 /// tolerance      what the user is promised (Plan), in (0, 1)
 /// order          terms of a series, 1 .. 200; 0: chosen by tolerance for every distance of cells.

@@ -37,8 +37,8 @@ namespace vortree::fmm {
 ///          Huang, Huang, Xu & Hu, Thermal Science 16 (2012)
 class Plan {
  public:
-  /// phase   told "tree", "upward", and with Method::fmm "far"; then "near" (fmm) or "evaluate"
-  ///         (boxes) as each sum begins
+  /// phase   told "tree", "upward", and with Method::fmm "far"; then "near" (fmm, direct) or
+  ///         "evaluate" (boxes) as each sum begins
   /// cost    the blobs are copied
   /// throws  std::invalid_argument for blobs as check() does, and for options out of range; every
   ///         sum also for results that over- or underflow in the units of the input
@@ -72,7 +72,7 @@ class Plan {
   /// ux, uy, vx   du/dx, du/dy, dv/dx, as many as targets [1/s]; overwritten
   /// targets      may be the blobs; r = 0 contributes the rotation of the core, nothing if bare
   /// error        ||.||_2 of all four as for the velocity        (tests/fmm/field/derivatives.cpp)
-  /// cost         O(n + m) with Method::fmm, O(m log n) with Method::boxes
+  /// cost         O(n + m) with Method::fmm, O(m log n) with Method::boxes, else O(m n)
   void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
                 std::span<double> vx) const;
 
@@ -95,6 +95,7 @@ class Plan {
   [[nodiscard]] Method method() const { return method_; }
   /// The most terms of any series.
   [[nodiscard]] int order() const { return sums_->order(); }
+  /// Empty by Method::direct.
   [[nodiscard]] const tree::Quadtree& tree() const { return sums_->tree(); }
   /// What velocity(u, v) computes, counted by walking again.
   [[nodiscard]] Work work() const { return sums_->work(); }

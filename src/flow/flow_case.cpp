@@ -18,19 +18,29 @@ Vec2 vec(const io::Vec2& a) {
   return {a[0], a[1]};
 }
 
-std::unique_ptr<vortex::Velocity> velocity_of(const io::SceneVelocity& v) {
-  const fmm::Cores cores = v.cores == io::PairCores::source ? fmm::Cores::source : fmm::Cores::mean;
-  if (v.method == io::VelocityMethod::direct) return vortex::velocity_by_direct_sum(cores);
-  return vortex::velocity_by_plan({
+fmm::Method method_of(io::VelocityMethod method) {
+  switch (method) {
+    case io::VelocityMethod::direct:
+      return fmm::Method::direct;
+    case io::VelocityMethod::boxes:
+      return fmm::Method::boxes;
+    case io::VelocityMethod::fmm:
+      break;
+  }
+  return fmm::Method::fmm;
+}
+
+fmm::Options sums_of(const io::SceneVelocity& v) {
+  return {
       .tolerance = v.tolerance,
       .order = v.order,
       .capacity = static_cast<std::uint32_t>(v.capacity),
       .finest_level = v.finest_level,
       .builder =
           v.builder == io::TreeBuilder::reverse ? fmm::Builder::reverse : fmm::Builder::forward,
-      .cores = cores,
-      .method = v.method == io::VelocityMethod::fmm ? fmm::Method::fmm : fmm::Method::boxes,
-  });
+      .cores = v.cores == io::PairCores::source ? fmm::Cores::source : fmm::Cores::mean,
+      .method = method_of(v.method),
+  };
 }
 
 vortex::Diffusion diffusion_of(io::DiffusionKind kind) {
@@ -99,7 +109,6 @@ FlowCase flow_case(const io::Scene& scene) {
     made.along = unit(scene.flow.stream);
   else if (scene.plunge)
     made.along = unit(scene.plunge->direction);
-  made.velocity = velocity_of(scene.velocity);
   made.origin = origin_of(scene);
   made.box = box_of(scene.merging);
   made.problem = {
@@ -122,7 +131,7 @@ FlowCase flow_case(const io::Scene& scene) {
                   .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
       .faintest = made.wall ? faintest * made.speed * made.diameter : 0,
       .wall = made.wall.get(),
-      .velocity = made.velocity.get(),
+      .sums = sums_of(scene.velocity),
   };
   made.crowding = io::crowding(scene);
   made.step_to(0);

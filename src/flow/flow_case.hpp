@@ -28,7 +28,6 @@ std::vector<double> moved(std::vector<double> column, double by);
 /// wall and all blobs are as seen from `origin`; what a run writes is as seen from the scene's.
 struct FlowCase {
   std::unique_ptr<vortex::Wall> wall;  // none in free space
-  std::unique_ptr<vortex::Velocity> velocity;
   vortex::Problem problem;
   Origin origin;
   std::optional<vortex::Box> box;       // of [merging], in the scene

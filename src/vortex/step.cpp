@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/ordered_sum.hpp"
+#include "fmm/plan.hpp"
 #include "vortex/transport/particle_exchange.hpp"
 #include "vortex/transport/random_walk.hpp"
 #include "vortex/transport/spread_cores.hpp"
@@ -30,6 +31,12 @@ fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
   return {at.x, at.y, blobs.gamma, at.sigma};
 }
 
+/// A point has no core of its own that could enter a mean.
+fmm::Options at_points(fmm::Options sums) {
+  sums.cores = fmm::Cores::source;
+  return sums;
+}
+
 /// Velocity of the blobs at their acting positions, with stream and wall; and its gradient, if
 /// wanted, without the sheet's.
 Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2 stream,
@@ -41,17 +48,19 @@ Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2
     for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
   const fmm::Blobs sources = as_sources(blobs, carrying);
   const tree::Points samples = p.wall ? p.wall->samples() : tree::Points{};
+  const fmm::Plan plan(sources, p.sums);
   if (gradients) {
     *gradients = Gradients(blobs.size());
-    p.velocity->upon_itself_and(sources, samples, u, *gradients, at_samples);
+    plan.velocity_and_gradient(u.u, u.v, gradients->ux, gradients->uy, gradients->vx);
   } else {
-    p.velocity->upon_itself_and(sources, samples, u, at_samples);
+    plan.velocity(u.u, u.v);
   }
+  plan.velocity_bare(samples, at_samples.u, at_samples.v);
   add_stream(u, stream);
   if (p.wall) {
     const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
     const auto sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
-    p.wall->add_velocity(sheet, *p.velocity, {at.x, at.y}, u);
+    p.wall->add_velocity(sheet, at_points(p.sums), {at.x, at.y}, u);
   }
   return u;
 }
@@ -68,11 +77,13 @@ AtRest with_sheet(tree::Points points, const Blobs& blobs, const Acting& at, con
                   Vec2 stream) {
   AtRest result{{}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
-  p.velocity->upon_both(as_sources(blobs, at), p.wall->samples(), at_samples, points, result.u);
+  const fmm::Plan plan(as_sources(blobs, at), at_points(p.sums));
+  plan.velocity_bare(p.wall->samples(), at_samples.u, at_samples.v);
+  plan.velocity(fmm::Targets{points.x, points.y, {}}, result.u.u, result.u.v);
   const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
   result.sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
   add_stream(result.u, stream);
-  p.wall->add_velocity(result.sheet, *p.velocity, points, result.u);
+  p.wall->add_velocity(result.sheet, at_points(p.sums), points, result.u);
   return result;
 }
 
@@ -204,7 +215,8 @@ Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p
   const Vec2 stream = p.flow.stream_at(p.time);
   if (p.wall) return with_sheet(points, blobs, at, p, stream).u;
   Velocities u(points.size());
-  p.velocity->upon(as_sources(blobs, at), points, u);
+  fmm::Plan(as_sources(blobs, at), at_points(p.sums))
+      .velocity(fmm::Targets{points.x, points.y, {}}, u.u, u.v);
   add_stream(u, stream);
   return u;
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "body/motion.hpp"
+#include "fmm/options.hpp"
 #include "vortex/adapt/merge_close.hpp"
 #include "vortex/adapt/split_wide.hpp"
 #include "vortex/blobs/invariants.hpp"
@@ -45,6 +46,7 @@ enum class Diffusion { core_spreading, random_walk, particle_exchange };
 /// carrying_cores  of a blob's core, that with which it carries others: 1, or sqrt(2), which in the
 ///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
 ///           averaged over its own core, and the energy of free space is conserved too
+/// sums      how velocities are summed
 /// sigma_0   core of blobs released at the wall, or of those that exchange circulation [m]
 /// area      of each blob that exchanges circulation [m^2]
 struct Problem {
@@ -63,7 +65,7 @@ struct Problem {
   double faintest = 0;
   Retired retired{};
   const Wall* wall = nullptr;
-  const Velocity* velocity;
+  fmm::Options sums;
 };
 
 /// What one step leaves beside the blobs; but for `retired`, empty without a wall.

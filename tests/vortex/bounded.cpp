@@ -54,7 +54,7 @@ TEST_CASE("what is too faint is accounted for, and all else stays as it is") {
 
 TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
   const vortex::Wall wall(body::circle({}, 0.5), 60);
-  const auto direct = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
   const auto moments = [&](double edge) {
     vortex::Problem problem{.flow = {{1, 0}, 0.05},
                             .dt = 0.05,
@@ -63,7 +63,7 @@ TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
                             .merging = {.tolerance = 0.1, .sigma_max = 0.22},
                             .box = vortex::Box{{-99, -99}, {edge, 99}},
                             .wall = &wall,
-                            .velocity = direct.get()};
+                            .sums = direct};
     Blobs blobs;
     blobs.append({49.9, 3}, 0.2, 0.2);
     blobs.append({49.9, -3}, -0.1, 0.2);

@@ -50,17 +50,17 @@ vortex::Wall cylinder_wall() {
   return vortex::Wall(body::circle({}, 0.5), 200);
 }
 
-Problem problem_of(const vortex::Wall& wall, const vortex::Velocity& velocity) {
+Problem problem_of(const vortex::Wall& wall, const fmm::Options& velocity) {
   return {.flow = {{1, 0}, nu},
           .dt = dt,
           .sigma_0 = std::sqrt(2 * nu * dt),
           .splitting = {.sigma_max = 0.0121},
           .merging = {.tolerance = 0.02, .sigma_max = 1.1 * 0.0121},
           .wall = &wall,
-          .velocity = &velocity};
+          .sums = velocity};
 }
 
-Run impulsive_start(const vortex::Wall& wall, const vortex::Velocity& velocity, int count = steps) {
+Run impulsive_start(const vortex::Wall& wall, const fmm::Options& velocity, int count = steps) {
   const Problem problem = problem_of(wall, velocity);
   Run run;
   run.wakes.push_back(start(run.blobs, problem));
@@ -75,14 +75,14 @@ Run impulsive_start(const vortex::Wall& wall, const vortex::Velocity& velocity, 
 }
 
 const Run& by_direct_sum() {
-  static const Run run =
-      impulsive_start(cylinder_wall(), *vortex::velocity_by_direct_sum(fmm::Cores::mean));
+  static const Run run = impulsive_start(
+      cylinder_wall(), fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct});
   return run;
 }
 
 const Run& by_boxes() {
-  static const Run run = impulsive_start(
-      cylinder_wall(), *vortex::velocity_by_plan({.tolerance = 1e-8, .cores = fmm::Cores::mean}));
+  static const Run run =
+      impulsive_start(cylinder_wall(), fmm::Options{.tolerance = 1e-8, .cores = fmm::Cores::mean});
   return run;
 }
 
@@ -151,20 +151,20 @@ TEST_CASE("no blob's centre enters the cylinder") {
 
 TEST_CASE("a whole run past a cylinder is the same bits for any number of threads") {
   const vortex::Wall wall = cylinder_wall();
-  const auto velocity = vortex::velocity_by_plan({.cores = fmm::Cores::mean});
-  const auto run = [&] { return impulsive_start(wall, *velocity, 5).blobs; };
+  const auto velocity = fmm::Options{.cores = fmm::Cores::mean};
+  const auto run = [&] { return impulsive_start(wall, velocity, 5).blobs; };
   const Blobs once = test::with_threads(1, run);
   CHECK(once == test::with_threads(2, run));
 }
 
 TEST_CASE("velocity at points is that of stream, blobs and the sheet that holds the body at rest") {
   const vortex::Wall wall = cylinder_wall();
-  const auto velocity = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+  const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
   Blobs blobs;
   blobs.append({0.1, 0.9}, 1, 0.05);
   blobs.append({0.1, -0.9}, -1, 0.05);
   const std::vector<double> x{100, 0, -100, 0, 0.3}, y{0, 100, 3, 0.8, -0.6};
-  const vortex::Velocities u = velocity_at({x, y}, blobs, problem_of(wall, *velocity));
+  const vortex::Velocities u = velocity_at({x, y}, blobs, problem_of(wall, velocity));
   const auto core = [](std::complex<double> d) {  // what a Gaussian core leaves of a vortex
     return -std::expm1(-std::norm(d) / (0.05 * 0.05));
   };
@@ -181,8 +181,8 @@ TEST_CASE("velocity at points is that of stream, blobs and the sheet that holds 
 
 TEST_CASE("a step past a wall names its phases in their order") {
   const vortex::Wall wall = cylinder_wall();
-  const auto velocity = vortex::velocity_by_direct_sum(fmm::Cores::mean);
-  const Problem problem = problem_of(wall, *velocity);
+  const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const Problem problem = problem_of(wall, velocity);
   std::vector<std::string> names;
   Blobs blobs;
   step(blobs, problem, 20, [&](std::string_view name) { names.emplace_back(name); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec2.hpp"
+#include "fmm/direct.hpp"
 #include "vortex/wall/wall.hpp"
 
 /// Potential flow around a circle at the origin in closed form: the twin of every sheet.
@@ -42,8 +43,9 @@ inline double swirl(Complex w, Complex z) {
 inline vortex::Velocities sampled(const vortex::Wall& wall, const vortex::Acting& at,
                                   const std::vector<double>& gamma) {
   vortex::Velocities u(2 * wall.panels());
-  vortex::velocity_by_direct_sum(fmm::Cores::source)
-      ->upon({at.x, at.y, gamma, {}}, wall.samples(), u);
+  const tree::Points samples = wall.samples();
+  fmm::velocity_direct({at.x, at.y, gamma, {}}, {samples.x, samples.y, {}}, fmm::Cores::source, u.u,
+                       u.v);
   return u;
 }
 

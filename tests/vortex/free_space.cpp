@@ -15,7 +15,7 @@ namespace {
 
 constexpr double nu = 1e-3;
 const exact::LambOseen oseen{1.0, 0.2, nu};
-const auto direct = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
 
 Problem free_vortex(double sigma_max, double tolerance) {
   return {.flow = {{}, nu},
@@ -24,7 +24,7 @@ Problem free_vortex(double sigma_max, double tolerance) {
           .sigma_0 = 0.04,
           .splitting = {sigma_max},
           .merging = {.tolerance = tolerance, .sigma_max = 1.1 * sigma_max},
-          .velocity = direct.get()};
+          .sums = direct};
 }
 
 Blobs after(Blobs blobs, const Problem& problem, int steps) {
@@ -131,11 +131,11 @@ TEST_CASE("without viscosity nothing diffuses, splits or merges") {
 }
 
 TEST_CASE("direct sum and plan of a tolerance of 1e-10 give the same step") {
-  const auto plan = vortex::velocity_by_plan({.tolerance = 1e-10, .cores = fmm::Cores::mean});
+  const auto plan = fmm::Options{.tolerance = 1e-10, .cores = fmm::Cores::mean};
   Problem problem = free_vortex(1, 0);
   const Blobs start = test::cloud(1000, 0.02, 0.04);
   const Blobs by_direct = after(start, problem, 1);
-  problem.velocity = plan.get();
+  problem.sums = plan;
   CHECK(test::apart(after(start, problem, 1), by_direct) < 1e-9);
 }
 

@@ -164,8 +164,8 @@ TEST_CASE("the sheet of NACA 0012 holds the inside at rest, and no fluid goes th
     y.push_back(out.y);
   }
   vortex::Velocities u(x.size());
-  const auto direct = vortex::velocity_by_direct_sum(fmm::Cores::source);
-  wall.add_velocity(sheet, *direct, {x, y}, u);
+  const auto direct = fmm::Options{.cores = fmm::Cores::source, .method = fmm::Method::direct};
+  wall.add_velocity(sheet, direct, {x, y}, u);
   for (std::size_t k = 0; k < inside; ++k)
     CHECK(std::hypot(u.u[k] + std::cos(incidence), u.v[k] + std::sin(incidence)) < 2e-3);
   // Beside the wall the flow goes with it, as fast as the sheet is strong at the wall.

@@ -1,11 +1,10 @@
-#include "body/motion.hpp"
-
 #include <catch2/catch.hpp>
 #include <complex>
 
+#include "body/motion.hpp"
 #include "body/outline.hpp"
-#include "vortex/cylinder_flow.hpp"
 #include "exact/theodorsen.hpp"
+#include "vortex/cylinder_flow.hpp"
 #include "vortex/step.hpp"
 
 using namespace vortree;
@@ -47,7 +46,7 @@ Complex component(const Forces& forces, const std::vector<Vec2>& values, Vec2 al
   return 2.0 / static_cast<double>(values.size() - from) * sum;
 }
 
-vortex::Problem problem_of(const vortex::Wall& wall, const vortex::Velocity& velocity, Flow flow,
+vortex::Problem problem_of(const vortex::Wall& wall, const fmm::Options& velocity, Flow flow,
                            double dt, double core) {
   return {.flow = flow,
           .dt = dt,
@@ -55,7 +54,7 @@ vortex::Problem problem_of(const vortex::Wall& wall, const vortex::Velocity& vel
           .splitting = {.sigma_max = core},
           .merging = {.tolerance = 0.01, .reach = 3, .sigma_max = std::sqrt(1.2) * core},
           .wall = &wall,
-          .velocity = &velocity};
+          .sums = velocity};
 }
 
 /// Mass that a body carries along without viscosity, per unit density: the impulse of the sheet
@@ -102,11 +101,11 @@ TEST_CASE("a cylinder that trembles in a viscous fluid feels what Stokes found, 
   // F = -pi R^2 (1 + 4 K1(z)/(z K0(z))) dV/dt, z = R sqrt(i omega/nu), for small amplitudes.
   const double nu = 0.01, radius = 0.5, frequency = 1, amplitude = 0.01;
   const vortex::Wall wall(body::circle({}, radius), 80);
-  const auto velocity = vortex::velocity_by_plan({.tolerance = 1e-4, .cores = fmm::Cores::mean});
+  const auto velocity = fmm::Options{.tolerance = 1e-4, .cores = fmm::Cores::mean};
   const Plunge plunge{{amplitude, 0}, frequency};
   const int period = 80;
   const Forces f =
-      forces(problem_of(wall, *velocity, {{}, nu, plunge}, 1.0 / period, 0.045), 2 * period);
+      forces(problem_of(wall, velocity, {{}, nu, plunge}, 1.0 / period, 0.045), 2 * period);
   const double omega = plunge.omega();
   const Complex z = radius * std::sqrt(Complex(0, omega / nu));
   const Complex ratio = 1.0 + 0.5 / z - 0.125 / (z * z) + 0.125 / (z * z * z);  // K1/K0

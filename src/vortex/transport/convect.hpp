@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "vortex/blobs/velocities.hpp"
 #include "vortex/cores/folded_centroid.hpp"
-#include "vortex/velocity.hpp"
 
 namespace vortree::vortex {
 

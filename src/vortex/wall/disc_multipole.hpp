@@ -5,7 +5,7 @@
 
 #include "base/vec2.hpp"
 #include "tree/order/points.hpp"
-#include "vortex/velocity.hpp"
+#include "vortex/blobs/velocities.hpp"
 
 namespace vortree::vortex {
 

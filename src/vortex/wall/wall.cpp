@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/ordered_sum.hpp"
+#include "fmm/plan.hpp"
 #include "vortex/wall/disc_multipole.hpp"
 #include "vortex/wall/panel_kernel.hpp"
 
@@ -93,7 +94,7 @@ std::vector<double> Wall::sheet(std::span<const double> slip, double total) cons
   return gamma;
 }
 
-void Wall::add_velocity_of_points(std::span<const double> sheet, const Velocity& velocity,
+void Wall::add_velocity_of_points(std::span<const double> sheet, const fmm::Options& sums,
                                   tree::Points targets, Velocities& u) const {
   std::vector<double> circulation(sheet.begin(), sheet.end());
   for (double& g : circulation) g *= length_;
@@ -112,16 +113,17 @@ void Wall::add_velocity_of_points(std::span<const double> sheet, const Velocity&
   if (!far.empty())
     DiscMultipole(disc, {middle_x_, middle_y_}, circulation).add_velocity(targets, far, u);
   Velocities upon_near(near.size());
-  velocity.upon({middle_x_, middle_y_, circulation, {}}, {x, y}, upon_near);
+  fmm::Plan({middle_x_, middle_y_, circulation, {}}, sums)
+      .velocity(fmm::Targets{x, y, {}}, upon_near.u, upon_near.v);
   for (std::size_t k = 0; k < near.size(); ++k) {
     u.u[near[k]] += upon_near.u[k];
     u.v[near[k]] += upon_near.v[k];
   }
 }
 
-void Wall::add_velocity(std::span<const double> sheet, const Velocity& velocity,
+void Wall::add_velocity(std::span<const double> sheet, const fmm::Options& sums,
                         tree::Points targets, Velocities& u) const {
-  add_velocity_of_points(sheet, velocity, targets, u);
+  add_velocity_of_points(sheet, sums, targets, u);
   const std::vector<double> wrapped = near_->wrapped(sheet);
   const auto count = static_cast<std::ptrdiff_t>(targets.size());
 #pragma omp parallel for schedule(dynamic, 512)

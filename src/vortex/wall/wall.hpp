@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "body/shape.hpp"
+#include "fmm/options.hpp"
+#include "vortex/blobs/velocities.hpp"
 #include "vortex/cores/folded_centroid.hpp"
-#include "vortex/velocity.hpp"
 #include "vortex/wall/linear_system.hpp"
 #include "vortex/wall/near_panels.hpp"
 
@@ -51,7 +52,7 @@ class Wall {
 
   /// Adds the velocity of a sheet at points of the fluid: panels as point vortices from afar (for
   /// them the trapezoid rule errs by exp(-2 pi distance/b)), exact panel integrals near.
-  void add_velocity(std::span<const double> sheet, const Velocity& velocity, tree::Points targets,
+  void add_velocity(std::span<const double> sheet, const fmm::Options& sums, tree::Points targets,
                     Velocities& u) const;
 
   /// Of the body [m^2].
@@ -62,7 +63,7 @@ class Wall {
 
  private:
   /// The same, of panels as point vortices.
-  void add_velocity_of_points(std::span<const double> sheet, const Velocity& velocity,
+  void add_velocity_of_points(std::span<const double> sheet, const fmm::Options& sums,
                               tree::Points targets, Velocities& u) const;
 
   /// What the two samples a panel miss of the vortices [first, last) that are close to it.

@@ -4,10 +4,10 @@
 
 #include "exact/kirchhoff_ellipse.hpp"
 #include "exact/vortex_pairs.hpp"
-#include "vortex/flows.hpp"
 #include "vortex/blobs/energy.hpp"
 #include "vortex/blobs/lattice.hpp"
 #include "vortex/blobs/moments.hpp"
+#include "vortex/flows.hpp"
 #include "vortex/step.hpp"
 #include "vortex/wall/vorticity.hpp"
 
@@ -36,7 +36,7 @@ double largest_error(const Blobs& blobs, Vec2 centre, double a, double b, Omega 
   return worst / exact(0, 0);
 }
 
-vortex::Problem inviscid(const vortex::Velocity& velocity, double dt) {
+vortex::Problem inviscid(const fmm::Options& velocity, double dt) {
   return {.flow = {{}, 0},
           .dt = dt,
           .scheme = vortex::Scheme::rk4,
@@ -44,7 +44,7 @@ vortex::Problem inviscid(const vortex::Velocity& velocity, double dt) {
           .sigma_0 = 1,
           .splitting = {1},
           .merging = {.tolerance = 0, .sigma_max = 1},
-          .velocity = &velocity};
+          .sums = velocity};
 }
 
 double tilt(const vortex::Form& form) {
@@ -107,11 +107,11 @@ TEST_CASE("Kirchhoff's ellipse turns at a b/(a + b)^2 of its vorticity; the erro
   const exact::KirchhoffEllipse ellipse{pi / 2, 1, 0.5};
   CHECK(ellipse.vorticity() == Approx(1));
   CHECK(ellipse.rate() == Approx(2.0 / 9));
-  const auto direct = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
   const auto error = [&](double h) {
     Blobs blobs = vortex::uniform_ellipse({{}, 1.25 * h, h}, pi / 2, 1, 0.5);
     const double before = energy(blobs).energy;
-    for (int k = 0; k < 20; ++k) step(blobs, inviscid(*direct, 0.2), k, [](std::string_view) {});
+    for (int k = 0; k < 20; ++k) step(blobs, inviscid(direct, 0.2), k, [](std::string_view) {});
     CHECK(energy(blobs).energy == Approx(before).epsilon(1e-7));
     return std::abs(tilt(form(blobs)) / (4 * ellipse.rate()) - 1);
   };
@@ -121,7 +121,7 @@ TEST_CASE("Kirchhoff's ellipse turns at a b/(a + b)^2 of its vorticity; the erro
 }
 
 TEST_CASE("a pair of blobs that act by both cores travels, or circles, as Gaussians do") {
-  const auto direct = vortex::velocity_by_direct_sum(fmm::Cores::mean);
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
   const exact::VortexPair pair{1, 0.6, 1, 0};
   CHECK(pair.travelled(3) == Approx(3 * pair.speed(0)));
   const exact::VortexPair viscous{1, 0.6, 1, 0.01};
@@ -130,7 +130,7 @@ TEST_CASE("a pair of blobs that act by both cores travels, or circles, as Gaussi
     Blobs blobs;
     blobs.append({-0.5, 0}, 1, 0.6);
     blobs.append({0.5, 0}, right, 0.6);
-    for (int k = 0; k < 10; ++k) step(blobs, inviscid(*direct, 0.05), k, [](std::string_view) {});
+    for (int k = 0; k < 10; ++k) step(blobs, inviscid(direct, 0.05), k, [](std::string_view) {});
     if (right < 0)
       CHECK(blobs.y[0] == Approx(pair.travelled(0.5)).epsilon(1e-9));
     else

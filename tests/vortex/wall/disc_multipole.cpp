@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fmm/direct.hpp"
 #include "vortex/flows.hpp"
 
 using namespace vortree;
@@ -31,8 +32,8 @@ TEST_CASE(
 
   vortex::Velocities fast(x.size()), plain(x.size());
   multipole.add_velocity({x, y}, served, fast);
-  vortex::velocity_by_direct_sum(fmm::Cores::source)
-      ->upon({blobs.x, blobs.y, blobs.gamma, {}}, {x, y}, plain);
+  fmm::velocity_direct({blobs.x, blobs.y, blobs.gamma, {}}, {x, y, {}}, fmm::Cores::source, plain.u,
+                       plain.v);
   double worst = 0;
   for (std::uint32_t k : served)
     worst = std::max(
