@@ -7,7 +7,7 @@
 
 #include "fmm/adaptive/adaptive.hpp"
 #include "fmm/boxes/boxes.hpp"
-#include "fmm/pairs/pairs.hpp"
+#include "fmm/pairs/pair_sums.hpp"
 #include "fmm/series/multipole_kernel.hpp"
 #include "tree/base/told.hpp"
 
@@ -56,7 +56,7 @@ void refuse_unfit(const std::string& complaint) {
 std::unique_ptr<const Evaluator> make_sums(const Blobs& blobs, const Units& units,
                                            const Options& options, const Phase& phase,
                                            Method& method) {
-  if (method == Method::direct) return std::make_unique<Pairs>(blobs, options, phase);
+  if (method == Method::direct) return std::make_unique<PairSums>(blobs, options, phase);
   if (method == Method::fmm) {
     auto full = std::make_unique<Adaptive>(blobs, units, options, phase);
     if (full->serves()) return full;

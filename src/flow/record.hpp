@@ -20,9 +20,8 @@ namespace vortree::flow {
 /// cd_*, cl_*     drag and lift by the rate of change of impulse, and by the wall sheet (pressure)
 ///                with the wall vorticity (friction); 0 without a body
 /// bubble_length  in diameters; separation_deg from the rear; 0 where a body plunges
-/// quadrupole_*, separation, circulation_plus, plus_*   the form of free vorticity
-/// (vortex/blobs/moments.hpp:
-///                plus is the part that turns anticlockwise); 0 with a body
+/// quadrupole_*, separation, circulation_plus, plus_*   the form of free vorticity, plus is the part
+///                that turns anticlockwise (vortex/blobs/moments.hpp); 0 with a body
 /// seconds        since the start; then by phase, of this step
 struct Record {
   double t = 0, T = 0, blobs = 0, circulation = 0, impulse_x = 0, impulse_y = 0, second_moment = 0,

@@ -23,8 +23,7 @@ struct Sources {
 /// rho     n densities [kg/m^2]; overwritten
 /// cost    one kernel a pair: O(n)
 /// source  Monaghan, Annu. Rev. Astron. Astrophys. 30 (1992); Hernquist & Katz, Astrophys. J.
-/// Suppl.
-///         70 (1989), for the mean h
+///         Suppl. 70 (1989), for the mean h
 ///
 /// rows          by rule mean; both ways, rows shared by threads, or each pair once, one thread
 /// search        already placed; nothing is stored

@@ -14,8 +14,7 @@ namespace vortree::tree {
 
 /// both_ways   j stands in the row of i and i in the row of j
 /// once        each pair stands in one of the two rows: in that of the particle in the coarser
-/// cell,
-///             or, in cells of one level, of the one that is searched first
+///             cell or, in cells of one level, of the one that is searched first
 enum class Listing { both_ways, once };
 
 /// Neighbors of n particles, in compressed rows: those of particle i are

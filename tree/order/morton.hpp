@@ -15,9 +15,8 @@ namespace vortree::tree {
 /// 4 key + {0, 1, 2, 3}: lower left, lower right, upper left, upper right.
 /// Within codes of level L, the descendants of (key, l) are [key 4^(L-l), (key + 1) 4^(L-l)).
 ///
-/// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), steps 5-7, corrected: the family of
-/// four
-///         at level m starts at F + {0, 1, 2, 3} 4^(L-m), F a multiple of 4^(L-m+1)
+/// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), steps 5-7, corrected: the family
+///         of four at level m starts at F + {0, 1, 2, 3} 4^(L-m), F a multiple of 4^(L-m+1)
 using Key = std::uint64_t;
 
 /// The finest level there is: 2 * 31 bits fit a Key.

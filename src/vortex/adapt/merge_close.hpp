@@ -37,12 +37,12 @@ struct Crowded : std::runtime_error {
 ///
 /// d = |x_1 - x_2|. The left side is the moment that the pair and the merged blob differ in;
 /// divided by sigma^3 it is the velocity error at a distance of a core. Conserves circulation,
-/// impulse and second moment. Next to a wall x is the acting position and only the spread across
-/// the wall widens the core (2 g1 g2 d_n^2/gamma^2 in place of d^2), so that merging along the wall
-/// diffuses nothing away from it; there a merger may pass sigma_max a little.
+/// impulse and second moment. Next to a wall x is the acting position; what the pair spreads along
+/// the wall stays in the covariance, so that merging along it diffuses nothing away from it; there
+/// a merger may pass sigma_max a little.
 ///
-/// Away from a body tolerance and sigma_max are as many times larger as the parts' widening
-/// (coarsening.hpp), the smaller of a pair.
+/// Away from a body sigma_max is as many times larger as the smaller widening of the pair
+/// (coarsening.hpp), and min(sigma)^3 becomes the smaller sigma^3 times its own widening.
 ///
 /// Most pairs are neighbors: first windows of 32 of them merge in the cache (merge_windows.hpp),
 /// then whoever is left chooses among all within reach, until no pair is left. Whom a blob chooses

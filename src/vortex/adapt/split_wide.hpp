@@ -36,7 +36,8 @@ struct Splitting {
 /// turned with the sign of gamma: runs repeat bit for bit, and the mirror image of a symmetric flow
 /// splits into mirror images.
 ///
-/// error   O(sigma^2 (1 - alpha^2)^2) of the Gaussian's fourth moments
+/// error   of the mean fourth power of the distance, sigma^4 (1 - alpha^2)^2 of a round core's 2
+///         sigma^4
 /// source  Rossi, SIAM J. Sci. Comput. 17 (1996); the ellipse and the cross are our own
 void split_wide(Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
                 std::uint64_t step);

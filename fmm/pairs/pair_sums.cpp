@@ -1,4 +1,4 @@
-#include "fmm/pairs/pairs.hpp"
+#include "fmm/pairs/pair_sums.hpp"
 
 #include "fmm/direct.hpp"
 
@@ -11,55 +11,56 @@ std::vector<double> copy(std::span<const double> values) {
 
 }  // namespace
 
-Pairs::Pairs(const Blobs& blobs, const Options& options, const Phase& phase)
+PairSums::PairSums(const Blobs& blobs, const Options& options, const Phase& phase)
     : blobs_{copy(blobs.x), copy(blobs.y), copy(blobs.gamma), copy(blobs.sigma)},
       cores_(options.cores),
       phase_(phase) {}
 
-Expected Pairs::velocity(std::span<double> u, std::span<double> v) const {
+Expected PairSums::velocity(std::span<double> u, std::span<double> v) const {
   return velocity(themselves(), u, v);
 }
 
-Expected Pairs::velocity_and_gradient(std::span<double> u, std::span<double> v,
-                                      std::span<double> ux, std::span<double> uy,
-                                      std::span<double> vx) const {
+Expected PairSums::velocity_and_gradient(std::span<double> u, std::span<double> v,
+                                         std::span<double> ux, std::span<double> uy,
+                                         std::span<double> vx) const {
   velocity(u, v);
   return gradient(themselves(), ux, uy, vx);
 }
 
-Expected Pairs::velocity(const Targets& targets, std::span<double> u, std::span<double> v) const {
+Expected PairSums::velocity(const Targets& targets, std::span<double> u,
+                            std::span<double> v) const {
   tell();
   velocity_direct(blobs_.view(), targets, cores_, u, v);
   return {};
 }
 
-Expected Pairs::velocity_bare(tree::Points targets, std::span<double> u,
-                              std::span<double> v) const {
+Expected PairSums::velocity_bare(tree::Points targets, std::span<double> u,
+                                 std::span<double> v) const {
   tell();
   velocity_direct({blobs_.x, blobs_.y, blobs_.gamma, {}}, {targets.x, targets.y, {}}, Cores::source,
                   u, v);
   return {};
 }
 
-Expected Pairs::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
-                         std::span<double> vx) const {
+Expected PairSums::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
+                            std::span<double> vx) const {
   tell();
   gradient_direct(blobs_.view(), targets, cores_, ux, uy, vx);
   return {};
 }
 
-Expected Pairs::stream_function(const Targets& targets, std::span<double> psi) const {
+Expected PairSums::stream_function(const Targets& targets, std::span<double> psi) const {
   tell();
   stream_function_direct(blobs_.view(), targets, cores_, psi);
   return {};
 }
 
-Work Pairs::work() const {
+Work PairSums::work() const {
   const std::uint64_t n = blobs_.x.size();
   return blobs_.sigma.empty() ? Work{.bare = n * n} : Work{.cored = n * n};
 }
 
-std::size_t Pairs::bytes() const {
+std::size_t PairSums::bytes() const {
   return sizeof(double) * (3 * blobs_.x.size() + blobs_.sigma.size());
 }
 

@@ -10,10 +10,10 @@ namespace vortree::fmm {
 ///
 /// error  round-off
 /// cost   O(n) for each target
-class Pairs final : public Evaluator {
+class PairSums final : public Evaluator {
  public:
   /// phase   told "near" at each sum
-  Pairs(const Blobs& blobs, const Options& options, const Phase& phase);
+  PairSums(const Blobs& blobs, const Options& options, const Phase& phase);
 
   Expected velocity(std::span<double> u, std::span<double> v) const override;
   Expected velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
