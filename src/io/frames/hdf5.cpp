@@ -42,15 +42,6 @@ Reason reason() {
   return found;
 }
 
-/// throws  NotTheFile(what) if the last call failed since the system refused it; not where a
-/// damaged
-///         file made HDF5 ask for what cannot be
-void blame_the_system(std::string_view what) {
-  const Reason why = reason();
-  if (why.number == 0 || why.number == EINVAL || why.number == EOVERFLOW) return;
-  throw NotTheFile(fmt::format("{}: {}", what, why.words));
-}
-
 [[noreturn]] void fail(std::string_view what) {
   blame_the_system(what);
   throw Failure(std::string(what));
@@ -118,6 +109,12 @@ T read_number(hid_t object, const std::string& name, hid_t type) {
 }
 
 }  // namespace
+
+void blame_the_system(std::string_view what) {
+  const Reason why = reason();
+  if (why.number == 0 || why.number == EINVAL || why.number == EOVERFLOW) return;
+  throw NotTheFile(fmt::format("{}: {}", what, why.words));
+}
 
 Handle own(hid_t id, std::string_view what) {
   if (id < 0) fail(what);
@@ -200,7 +197,9 @@ std::string file_name(hid_t file) {
 }
 
 bool has(hid_t place, const std::string& name) {
-  return H5Lexists(place, name.c_str(), H5P_DEFAULT) > 0;
+  const htri_t found = H5Lexists(place, name.c_str(), H5P_DEFAULT);
+  if (found < 0) blame_the_system(name + " cannot be looked for");
+  return found > 0;
 }
 
 bool has_attribute(hid_t object, const std::string& name) {
@@ -222,7 +221,10 @@ std::vector<Link> links(hid_t group, hsize_t most) {
     if (length <= 0) blame_the_system("the list of names cannot be read");
     if (length <= 0) continue;
     std::string name(static_cast<std::size_t>(length) + 1, '\0');
-    if (name_of(name.data(), name.size()) != length) continue;
+    if (name_of(name.data(), name.size()) != length) {
+      blame_the_system("the list of names cannot be read");
+      continue;
+    }
     name.pop_back();
     found.push_back({i, std::move(name)});
   }

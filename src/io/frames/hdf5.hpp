@@ -31,6 +31,10 @@ class NotTheFile : public Failure {
   using Failure::Failure;
 };
 
+/// throws  NotTheFile(what) if the last call failed since the system refused it; not where a
+///         damaged file made HDF5 ask for what cannot be
+void blame_the_system(std::string_view what);
+
 /// Owns one identifier of any kind (file, group, dataset, space, type, attribute, property list).
 class Handle {
  public:

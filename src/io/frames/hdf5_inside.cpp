@@ -17,6 +17,7 @@ constexpr std::string_view only_inside = "only what the file itself holds is rea
 H5L_info_t link_of(hid_t place, const std::string& name) {
   H5L_info_t link{};
   if (H5Lget_info(place, name.c_str(), &link, H5P_DEFAULT) < 0) {
+    blame_the_system(name + " cannot be looked for");
     throw Failure(fmt::format("{} cannot be found: the file is damaged", name));
   }
   return link;
@@ -60,7 +61,10 @@ Handle open_dataset(hid_t place, const std::string& name) {
     throw Failure(fmt::format("{} is a link into another file; {}", name, only_inside));
   }
   Handle set(H5Dopen2(place, name.c_str(), H5P_DEFAULT));
-  if (set < 0) throw Failure(why_no_dataset(place, name));
+  if (set < 0) {
+    blame_the_system(name + " cannot be opened");
+    throw Failure(why_no_dataset(place, name));
+  }
   require_stored_inside(set, name);
   return set;
 }
