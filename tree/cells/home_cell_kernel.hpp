@@ -63,7 +63,7 @@ inline void home_cells(const Addresses& addresses, double side, const double* re
   const int below = 2 * (max_level - addresses.finest), level_bits = addresses.level_bits();
   std::size_t i = 0;
   for (; i + lane_count <= n; i += lane_count) {
-    const Lanes cells = side / vortree::load(reach + i);
+    const Lanes cells = side / load(reach + i);
     Bits level = (Bits)((Words)cells >> 52) - 1023;
     level = level > 0 ? level : Bits{};
     level = level < deepest_own ? level : Bits{} + deepest_own;

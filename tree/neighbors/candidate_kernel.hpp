@@ -148,22 +148,14 @@ inline void store_close(std::int32_t* to, SingleBits a, Hits lanes) {
 
 #endif
 
-inline SingleBits load(const std::int32_t* from) {
-  SingleBits a;
-  std::memcpy(&a, from, sizeof a);
-  return a;
-}
-inline void store(std::int32_t* to, SingleBits a) {
-  std::memcpy(to, &a, sizeof a);
-}
 inline Singles magnitude(Singles a) {
   return (Singles)((SingleBits)a & INT32_MAX);
 }
 
 /// (from - origin) scale for a register full of doubles, as floats.
 inline Singles near_floats(const double* from, double origin, double scale) {
-  const Lanes a = (vortree::load(from) - origin) * scale;
-  const Lanes b = (vortree::load(from + lane_count) - origin) * scale;
+  const Lanes a = (load(from) - origin) * scale;
+  const Lanes b = (load(from + lane_count) - origin) * scale;
   return joined(__builtin_convertvector(a, HalfSingles), __builtin_convertvector(b, HalfSingles));
 }
 
@@ -202,10 +194,10 @@ inline Tested test(Candidates all, std::size_t first, std::size_t last, float u,
   Singles clearance = fill(3e38f);
   std::int64_t count = 0;
   for (std::size_t k = first; k < last; ++k) {
-    const Singles du = vortree::load(all.u + k * single_count) - u;
-    const Singles dv = vortree::load(all.v + k * single_count) - v;
-    const Singles limit = threshold<rule>(
-        own, rule == PairRule::own ? own : vortree::load(all.reach + k * single_count));
+    const Singles du = load(all.u + k * single_count) - u;
+    const Singles dv = load(all.v + k * single_count) - v;
+    const Singles limit =
+        threshold<rule>(own, rule == PairRule::own ? own : load(all.reach + k * single_count));
     const Singles gap = limit - (du * du + dv * dv);
     const Hits inside = less(zero, gap);
     hits[k - first] = inside;

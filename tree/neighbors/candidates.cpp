@@ -56,9 +56,9 @@ void Candidates::add_own(const SortedParticles& placed, Range own, const Frame& 
     const Singles u = kernel::near_floats(placed.x.data() + k, frame.x, frame.scale);
     const Singles v = kernel::near_floats(placed.y.data() + k, frame.y, frame.scale);
     const Singles r = kernel::near_floats(placed.reach.data() + k, 0, frame.scale);
-    vortree::store(u_.data() + size_, u);
-    vortree::store(v_.data() + size_, v);
-    vortree::store(reach_.data() + size_, rule == PairRule::mean ? 0.5f * r : r * r);
+    store(u_.data() + size_, u);
+    store(v_.data() + size_, v);
+    store(reach_.data() + size_, rule == PairRule::mean ? 0.5f * r : r * r);
   }
   size_ = own.size();
 }
@@ -158,7 +158,7 @@ std::size_t gather_numbers(const Buffer<std::int32_t>& of, Range own, std::span<
   const kernel::Hits* set = kept;
   for (const Range range : others) {
     for (std::uint32_t k = range.first; k < range.last; k += single_count, ++set) {
-      kernel::store_close(next, kernel::load(of.data() + k), *set);
+      kernel::store_close(next, load(of.data() + k), *set);
       next += std::popcount(*set);
     }
   }

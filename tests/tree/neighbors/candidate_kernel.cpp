@@ -17,7 +17,7 @@ TEST_CASE("the chosen lanes are stored close, for every set of lanes") {
   for (int round = 0; round < 3000; ++round) {
     const auto lanes = static_cast<kernel::Hits>(chance.bits() & kernel::every_lane);
     kernel::store_close(to.data(), load(from.data()), lanes);
-    kernel::store_close(close.data(), kernel::load(numbers.data()), lanes);
+    kernel::store_close(close.data(), load(numbers.data()), lanes);
     for (int i = 0, next = 0; i < single_count; ++i) {
       if ((lanes >> i & 1) == 0) continue;
       REQUIRE(to[next] == from[i]);
