@@ -11,8 +11,8 @@
 
 namespace vortree::fmm {
 
-/// Near sums of bare vortices in a run of leaves of childless cells: each cell with the members of
-/// its U, both ways at once where both lie in the run of leaves.
+/// Near sums of bare vortices in a run of childless cells: each cell with the members of
+/// its U, both ways at once where both lie in the run.
 class MutualNear {
  public:
   /// coarse   single precision will do: used wherever places fit (mutual_fixed_kernel.hpp); the

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
-#include <string>
+
+#include "base/memory.hpp"
 
 namespace vortree {
 namespace {
@@ -14,13 +15,7 @@ namespace {
 constexpr std::uint64_t unknown = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t left_of_machine() {
-  std::ifstream in("/proc/meminfo");
-  std::string word;
-  while (in >> word) {
-    std::uint64_t kilobytes = 0;
-    if (word == "MemAvailable:" && in >> kilobytes) return 1024 * kilobytes;
-  }
-  return unknown;
+  return listed_bytes("/proc/meminfo", "MemAvailable:").value_or(unknown);
 }
 
 std::uint64_t number_in(const char* file) {

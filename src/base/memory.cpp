@@ -7,11 +7,15 @@
 
 namespace vortree {
 
-std::optional<std::size_t> status_bytes(std::string_view name) {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;)
-    if (std::size_t kibibytes = 0; word == name && status >> kibibytes) return kibibytes * 1024;
+std::optional<std::size_t> listed_bytes(const char* list, std::string_view name) {
+  std::ifstream in(list);
+  for (std::string word; in >> word;)
+    if (std::size_t kibibytes = 0; word == name && in >> kibibytes) return kibibytes * 1024;
   return {};
+}
+
+std::optional<std::size_t> status_bytes(std::string_view name) {
+  return listed_bytes("/proc/self/status", name);
 }
 
 // getrusage alone would report the parent's memory as well: a process that a large one starts by

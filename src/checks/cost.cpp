@@ -19,16 +19,10 @@ namespace {
 constexpr double bytes_a_blob = 1000, bytes_a_point = 150, blobs_a_second = 2e5,
                  operations_a_second = 3e9, points_a_second = 3e5, seconds_a_step = 1e-3;
 
-double generations(const io::Scene& scene, double time) {
-  const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
-  const double most2 = scene.cores.sigma_max * scene.cores.sigma_max;
-  return 4 * scene.flow.nu * time / ((1 - alpha2) * most2);
-}
-
 /// How many a blob becomes where nothing merges.
 double multiplied_in(const io::Scene& scene, double time) {
   if (!io::spreads_cores(scene) || scene.merging.tolerance > 0) return 1;
-  return std::pow(scene.splitting.children, std::floor(generations(scene, time)));
+  return std::pow(scene.splitting.children, std::floor(io::generations(scene, time)));
 }
 
 /// Blobs of the lattice that the initial vorticity is cut into.

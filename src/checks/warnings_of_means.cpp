@@ -15,16 +15,14 @@ using List = std::vector<std::string>;
 
 /// What becomes of blobs that do not merge.
 std::string multiplies(const io::Scene& scene) {
-  const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
-  const double widest = scene.cores.sigma_max;
   return fmt::format("blobs split into {} for each {:.2g} of time", scene.splitting.children,
-                     (1 - alpha2) * widest * widest / (4 * scene.flow.nu));
+                     1 / io::generations(scene, 1));
 }
 
 void doubt_splitting(List& list, const io::Scene& scene) {
   const double nu = scene.flow.nu, dt = scene.time.dt, alpha = scene.splitting.alpha;
   const double child = io::width_of_endless_splits(scene), widest = scene.cores.sigma_max;
-  if (child * child > scene.merging.cap * widest * widest)
+  if (io::splits_endlessly(scene))
     list.push_back(fmt::format(
         "cores.sigma_max = {:.3g}: one step of time.dt = {:.3g} widens a core so much that its "
         "children, {:.3g}, are too wide to merge: blobs will multiply until the run ends; {:.2g} "

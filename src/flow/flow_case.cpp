@@ -134,6 +134,7 @@ FlowCase flow_case(const io::Scene& scene) {
       .sums = sums_of(scene.velocity),
   };
   made.crowding = io::crowding(scene);
+  made.splits_endlessly = io::splits_endlessly(scene);
   made.step_to(0);
   return made;
 }

@@ -33,6 +33,7 @@ struct FlowCase {
   std::optional<vortex::Box> box;       // of [merging], in the scene
   std::size_t held_blobs = most_blobs;  // by the machine's memory
   double crowding = 1;                  // io::crowding: how many times the usual number of blobs
+  bool splits_endlessly = false;        // children are too wide to merge
 
   /// For a step from the problem's time to this one.
   void step_to(double time);

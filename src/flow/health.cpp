@@ -11,12 +11,6 @@ namespace {
 constexpr std::size_t many_blobs = 20'000, many_of_late = 5000, many_a_panel = 100;
 constexpr double most_vorticity = 100;  // of both signs, in U D
 
-/// Whether a step widens blobs so much that their children are too wide to merge.
-bool splits_endlessly(const vortex::Problem& p) {
-  const double alpha2 = p.splitting.alpha * p.splitting.alpha, widest = p.merging.sigma_max;
-  return alpha2 / (1 - alpha2) * 4 * p.flow.nu * p.dt > widest * widest;
-}
-
 }  // namespace
 
 void Growth::add(std::size_t blobs) {
@@ -29,7 +23,7 @@ std::size_t Growth::most(double time) const {
   const auto times = [&](double usual) { return static_cast<std::size_t>(flow_.crowding * usual); };
   const std::size_t ceiling = std::min(most_blobs, flow_.held_blobs), many = times(many_blobs),
                     before = counts_.back(), split = p.splitting.children * before;
-  if (!flow_.wall && !splits_endlessly(p))
+  if (!flow_.wall && !flow_.splits_endlessly)
     return std::min(ceiling, std::max(many, p.splitting.children * split));
   if (p.merging.tolerance == 0)  // asked for
     return std::min(ceiling, std::max(many_blobs, split));
@@ -49,7 +43,7 @@ std::string multiplied(std::size_t blobs, std::size_t before, const FlowCase& fl
   if (flow.problem.merging.tolerance == 0)
     return counts + "they split and never merge; merging.tolerance above 0 keeps them few";
   return counts + "they multiply faster than they merge" +
-         (splits_endlessly(flow.problem)
+         (flow.splits_endlessly
               ? ", since a step widens them by more than splitting makes up for; larger "
                 "cores.sigma_max or smaller time.dt"
               : "; larger merging.tolerance or merging.reach, or smaller time.dt");

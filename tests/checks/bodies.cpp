@@ -4,27 +4,12 @@
 
 #include "checks/made_up.hpp"
 #include "exact/theodorsen.hpp"
+#include "flow/scenes.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
 
 namespace {
-
-// T = 2 t.
-const std::string cylinder = R"(
-[flow]
-nu = 0.01
-stream = [1.0, 0.0]
-[body]
-radius = 0.5
-panels = 16
-[cores]
-sigma_0 = 0.05
-sigma_max = 0.1
-[time]
-dt = 0.05
-end = 10
-)";
 
 const double pi = std::numbers::pi;
 
@@ -47,7 +32,7 @@ using Words = std::vector<std::string>;
 
 MadeUpRun held(const std::string& check, Words more = {}) {
   more.push_back("check." + check);
-  return MadeUpRun(cylinder, more, {{"known.csv", known()}});
+  return MadeUpRun(cylinder_by_hand, more, {{"known.csv", known()}});
 }
 
 }  // namespace
@@ -185,7 +170,7 @@ TEST_CASE("wall vorticity is held against a reference at the times of frames") {
   const auto run = [&](const std::string& check, const Words& more = {}) {
     Words overrides{"check.wall_vorticity_reference=known.csv", "check." + check};
     overrides.insert(overrides.end(), more.begin(), more.end());
-    return MadeUpRun(cylinder, overrides, {{"known.csv", reference}, {"wall.csv", wall}})
+    return MadeUpRun(cylinder_by_hand, overrides, {{"known.csv", reference}, {"wall.csv", wall}})
         .verdict(20);
   };
   CHECK(*run("wall_vorticity_max=0.04").reached.value == Approx(0.03).epsilon(0.02));
@@ -203,7 +188,7 @@ TEST_CASE("a body that plunges in fluid at rest has the drag and mass that are k
   const auto run = [&](const std::string& check, const char* known) {
     Words overrides = plunging;
     overrides.insert(overrides.end(), {"check." + check + "_max=0.05", "check." + check + known});
-    MadeUpRun made(cylinder, overrides);
+    MadeUpRun made(cylinder_by_hand, overrides);
     // C_D |sin| sin against the velocity, C_M with the place: F = -D/2 C_D |V| V - pi/4 D^2 C_M V'.
     const double U = made.flow().speed, omega = pi;
     made.with("cd_impulse", [=](double t) {
@@ -226,8 +211,8 @@ TEST_CASE("a body that plunges in fluid at rest has the drag and mass that are k
 }
 
 TEST_CASE("the lift of a body that plunges across a stream is a plate's, or not") {
-  MadeUpRun run(cylinder, {"plunge.amplitude=0.05", "plunge.frequency=0.5", "time.dt=0.02",
-                           "check.theodorsen_max=0.05"});
+  MadeUpRun run(cylinder_by_hand, {"plunge.amplitude=0.05", "plunge.frequency=0.5", "time.dt=0.02",
+                                   "check.theodorsen_max=0.05"});
   const double omega = pi, k = omega * 0.5;
   const std::complex<double> plate = exact::lift_of_plunge(0.1, k);
   const auto lift = [=](std::complex<double> factor) {
@@ -241,8 +226,8 @@ TEST_CASE("the lift of a body that plunges across a stream is a plate's, or not"
 }
 
 TEST_CASE("a plunge along the stream has no plate's lift, and its own counts as it is") {
-  MadeUpRun run(cylinder, {"plunge.amplitude=0.05", "plunge.frequency=0.5", "time.dt=0.02",
-                           "plunge.direction=[1,0]", "check.theodorsen_max=0.05"});
+  MadeUpRun run(cylinder_by_hand, {"plunge.amplitude=0.05", "plunge.frequency=0.5", "time.dt=0.02",
+                                   "plunge.direction=[1,0]", "check.theodorsen_max=0.05"});
   CHECK(run.verdict(400).passed());
   CHECK(run.with("cl_impulse", [](double t) { return std::sin(pi * t); }).verdict(400).missed());
 }

@@ -5,38 +5,13 @@
 
 #include "app/program.hpp"
 #include "flow/flow_case.hpp"
+#include "flow/scenes.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
 using Catch::Matchers::Contains;
 
 namespace {
-
-const std::string gaussian = R"(
-[flow]
-nu = 1e-3
-[initial]
-kind = "lamb_oseen"
-circulation = 1.0
-core = 0.2
-[cores]
-sigma_0 = 0.04
-sigma_max = 0.05
-[time]
-dt = 0.02
-end = 1.0
-)";
-
-const std::string cylinder = R"(
-accuracy = 0.04
-[flow]
-reynolds = 100
-stream = [1.0, 0.0]
-[body]
-radius = 0.5
-[time]
-end = 1.0
-)";
 
 io::Scene scene(const std::string& text, const std::vector<std::string>& overrides = {}) {
   return io::parse_scene(text, "scene.toml", overrides);
@@ -59,45 +34,47 @@ TEST_CASE("the estimate of a vortex's blobs is that of its lattice, to a few row
       std::vector<std::string> words{spacing, "flow.nu=0"};
       std::istringstream pairs("initial.kind=" + std::string(kind));
       for (std::string word; pairs >> word;) words.push_back(word);
-      const io::Scene asked = scene(gaussian, words);
+      const io::Scene asked = scene(vortex_by_hand, words);
       const auto made = static_cast<double>(flow::initial_blobs(asked).size());
       CHECK(checks::cost_of(asked).blobs == Approx(made).epsilon(0.1));
     }
 }
 
 TEST_CASE("more than the machine holds is refused with the numbers, before anything is made") {
-  CHECK(refused_for(1e9, scene(gaussian)) == "");
-  CHECK(refused_for(1e9, scene(cylinder)) == "");
-  CHECK_THAT(refused_for(1e11, scene(gaussian, {"initial.spacing=1e-6"})),
+  CHECK(refused_for(1e9, scene(vortex_by_hand)) == "");
+  CHECK(refused_for(1e9, scene(cylinder_by_accuracy)) == "");
+  CHECK_THAT(refused_for(1e11, scene(vortex_by_hand, {"initial.spacing=1e-6"})),
              Contains("scene.toml: initial.spacing 1e-06 and cores.sigma_0 0.04 cut the vortex") &&
                  Contains("this machine holds 2e+07"));
-  CHECK_THAT(refused_for(1e9, scene(cylinder, {"body.panels=10000"})),
+  CHECK_THAT(refused_for(1e9, scene(cylinder_by_accuracy, {"body.panels=10000"})),
              Contains("body.panels is 10000; the wall's matrix would take 1.6 GB"));
-  CHECK_THAT(refused_for(1e11, scene(gaussian, {"flow.nu=1e10"})),
+  CHECK_THAT(refused_for(1e11, scene(vortex_by_hand, {"flow.nu=1e10"})),
              Contains("cores.sigma_max 0.05"));
-  CHECK_THAT(refused_for(1e11, scene(cylinder, {"merging.tolerance=0"})),
+  CHECK_THAT(refused_for(1e11, scene(cylinder_by_accuracy, {"merging.tolerance=0"})),
              Contains("merging.tolerance 0"));
-  CHECK_THAT(refused_for(1e9, scene(gaussian, {"output.fields=[1]", "output.window=[-1,-1,1,1]",
-                                               "output.field_spacing=5e-4"})),
-             Contains("output.field_spacing 0.0005 makes pictures of 1.6e+07 points"));
+  CHECK_THAT(
+      refused_for(1e9, scene(vortex_by_hand, {"output.fields=[1]", "output.window=[-1,-1,1,1]",
+                                              "output.field_spacing=5e-4"})),
+      Contains("output.field_spacing 0.0005 makes pictures of 1.6e+07 points"));
 }
 
 TEST_CASE("what takes hours, or most of the memory, is warned of") {
-  CHECK(checks::costly(scene(gaussian), 1e9).empty());
+  CHECK(checks::costly(scene(vortex_by_hand), 1e9).empty());
   const auto said = [](const io::Scene& asked, double memory, const std::string& words) {
     const auto list = checks::costly(asked, memory);
     return std::ranges::any_of(
         list, [&](const std::string& s) { return s.find(words) != std::string::npos; });
   };
-  CHECK(said(scene(gaussian, {"time.end=1e5"}), 1e9, "the run will take some"));
-  CHECK(said(scene(cylinder, {"flow.reynolds=1e6"}), 1e12, "the run will take some"));
-  CHECK(said(scene(cylinder, {"body.panels=10000"}), 1e10, "the wall's matrix takes 1.6 GB"));
-  CHECK(said(scene(cylinder, {"body.panels=20000"}), 1e10, "of the 10 GB there are"));
+  CHECK(said(scene(vortex_by_hand, {"time.end=1e5"}), 1e9, "the run will take some"));
+  CHECK(said(scene(cylinder_by_accuracy, {"flow.reynolds=1e6"}), 1e12, "the run will take some"));
+  CHECK(said(scene(cylinder_by_accuracy, {"body.panels=10000"}), 1e10,
+             "the wall's matrix takes 1.6 GB"));
+  CHECK(said(scene(cylinder_by_accuracy, {"body.panels=20000"}), 1e10, "of the 10 GB there are"));
 }
 
 TEST_CASE("run and check refuse what the machine does not hold, and write nothing") {
   const TemporaryFolder folder;
-  folder.write("cylinder.toml", cylinder);
+  folder.write("cylinder.toml", cylinder_by_accuracy);
   for (const char* command : {"run", "check"}) {
     const auto outcome =
         call(std::string(command) + " cylinder.toml body.panels=2147483647", folder);
@@ -112,7 +89,7 @@ TEST_CASE("run and check refuse what the machine does not hold, and write nothin
 TEST_CASE("a vortex whose blobs multiply ends within a few steps, with its last good frame") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", gaussian);
+  folder.write("vortex.toml", vortex_by_hand);
   const auto outcome = call("run vortex.toml flow.nu=1 initial.faintest=1e-3", folder);
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);

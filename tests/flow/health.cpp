@@ -3,19 +3,19 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "flow/scenes.hpp"
 #include "io/scene/scene.hpp"
 
 using namespace vortree;
+using namespace vortree::test;
 using Catch::Matchers::Contains;
 
 namespace {
 
 // U = D = 1, steps of 0.05.
 flow::FlowCase cylinder() {
-  return flow::flow_case(io::parse_scene(
-      "[flow]\nnu = 0.01\nstream = [1.0, 0.0]\n[body]\nradius = 0.5\npanels = 16\n[cores]\n"
-      "sigma_0 = 0.05\nsigma_max = 0.1\n[merging]\ntolerance = 0.1\n[time]\ndt = 0.05\nend = 10\n",
-      "cylinder.toml"));
+  return flow::flow_case(
+      io::parse_scene(cylinder_by_hand + "[merging]\ntolerance = 0.1\n", "cylinder.toml"));
 }
 
 vortex::Blobs blobs(std::size_t n, double gamma = 1e-6) {
@@ -82,12 +82,8 @@ TEST_CASE("a tolerance that lets fewer merge may leave more blobs") {
 }
 
 TEST_CASE("in free space all may split at once, and twice, unless children are too wide to merge") {
-  const std::string scene =
-      "[flow]\nnu = 1e-3\n[initial]\nkind = \"lamb_oseen\"\ncirculation = 1.0\ncore = "
-      "0.2\n[cores]\n"
-      "sigma_0 = 0.04\nsigma_max = 0.05\n[time]\ndt = 0.02\nend = 1.0\n";
   const auto most = [&](const std::vector<std::string>& overrides) {
-    const auto flow = flow::flow_case(io::parse_scene(scene, "vortex.toml", overrides));
+    const auto flow = flow::flow_case(io::parse_scene(vortex_by_hand, "vortex.toml", overrides));
     flow::Growth growth(flow);
     for (const std::size_t count : {2'000, 2'000, 2'000, 8'000, 8'000, 8'000}) growth.add(count);
     CHECK_THAT(flow::multiplied(200'000, 8'000, flow),

@@ -4,31 +4,17 @@
 #include <numbers>
 
 #include "flow/record.hpp"
+#include "flow/scenes.hpp"
 #include "io/scene/scene.hpp"
 
 using namespace vortree;
+using namespace vortree::test;
 using flow::Record;
 
 namespace {
 
-// D = 1, U = 1: a coefficient is twice a force.
-const std::string cylinder = R"(
-[flow]
-nu = 0.01
-stream = [1.0, 0.0]
-[body]
-radius = 0.5
-panels = 16
-[cores]
-sigma_0 = 0.05
-sigma_max = 0.1
-[time]
-dt = 0.05
-end = 10
-)";
-
 flow::FlowCase flow_of(const std::vector<std::string>& overrides = {}) {
-  return flow::flow_case(io::parse_scene(cylinder, "cylinder.toml", overrides));
+  return flow::flow_case(io::parse_scene(cylinder_by_hand, "cylinder.toml", overrides));
 }
 
 using Of = std::function<double(double t)>;

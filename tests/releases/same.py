@@ -1,12 +1,10 @@
 """Do two builds give the same numbers, bit for bit?    python3 same.py OLD NEW [FOLDER]
 
-Runs both programs on eight short scenes and on sets of particles, and compares, but for seconds:
-report.csv, wall.csv and energy.csv; every dataset of frames.h5 and fields.h5, what a run resumes
-from among them; velocities by each method; neighbor lists by each rule. Prints a line
-for each, and ends with exit code 1 if anything differs.
+Runs both programs on eight short scenes and on sets of particles, and compares all that a run has
+left but for seconds (tests/faults/contents.py), velocities by each method, and neighbor lists by
+each rule. Prints a line for each, and ends with exit code 1 if anything differs.
 """
 
-import csv
 import os
 import pathlib
 import random
@@ -16,7 +14,12 @@ import tempfile
 
 import h5py
 
-CASES = pathlib.Path(__file__).resolve().parents[2] / "cases"
+TESTS = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(TESTS / "faults"))
+sys.dont_write_bytecode = True
+import contents  # noqa: E402
+
+CASES = TESTS.parent / "cases"
 SCENES = [
     ("cylinder_re550_quick", "time.end=0.3"),
     ("cylinder", "time.end=0.2"),
@@ -34,8 +37,6 @@ VELOCITIES = [
     for builder in ("reverse", "forward")
 ]
 NEIGHBORS = [("--rule", "max"), ("--rule", "mean"), ("--rule", "own"), ("--rule", "max", "--half")]
-# Of a frame's state, what has seconds in it: its numbers stand in the rows of report.csv, too.
-TIMED = ("history", "totals", "mark of report.csv", "rows of report.csv")
 
 
 def call(program, words, folder):
@@ -45,52 +46,16 @@ def call(program, words, folder):
         sys.exit(f"{program} {' '.join(words)}: {ran.stderr}")
 
 
-def rows(path):
-    """The cells of a table, without its columns of seconds."""
-    with open(path, newline="") as file:
-        table = list(csv.reader(file))
-    kept = [k for k, name in enumerate(table[0]) if not name.startswith("seconds")]
-    return [[row[k] for k in kept] for row in table]
-
-
-def bytes_of(path):
-    """What an HDF5 file holds, by name, as bytes."""
-    held = {}
-
-    def add(name, item):
-        if isinstance(item, h5py.Dataset) and not name.endswith(TIMED):
-            held[name] = (str(item.dtype), item.shape, item[()].tobytes())
-
+def arrays(path):
     with h5py.File(path, "r") as file:
-        file.visititems(add)
-    return held
+        return {name: (item.dtype.str, item.shape, item[()].tobytes()) for name, item in file.items()}
 
 
-def contents(path):
-    if path.suffix == ".csv":
-        return rows(path)
-    return bytes_of(path) if path.suffix == ".h5" else None
-
-
-def differences(old, new):
-    names = {
-        path.relative_to(folder)
-        for folder in (old, new)
-        for path in folder.rglob("*")
-        if path.suffix in (".csv", ".h5")
-    }
-    for name in sorted(names):
-        if not (old / name).exists() or not (new / name).exists():
-            yield f"{name} is there only once"
-            continue
-        a, b = contents(old / name), contents(new / name)
-        if a == b:
-            continue
-        if isinstance(a, dict):
-            yield f"{name}: " + ", ".join(sorted(k for k in {*a, *b} if a.get(k) != b.get(k))[:5])
-        else:
-            line = next((k for k, (p, q) in enumerate(zip(a, b)) if p != q), min(len(a), len(b)))
-            yield f"{name}: line {line + 1}"
+def left(folder):
+    """What a command has left: a run, or a file of arrays."""
+    if (folder / "run").exists():
+        return contents.contents(folder / "run")
+    return {path.name: arrays(path) for path in folder.glob("*.h5")}
 
 
 def particles(path, count, cored, seed):
@@ -127,9 +92,9 @@ def main():
         for program, folder in zip(programs, folders):
             folder.mkdir()
             call(program, words, folder)
-        found = list(differences(*folders))
+        found = contents.difference(*map(left, folders))
         differ += bool(found)
-        print(f"{'DIFFERS' if found else 'same   '} {title}", *found, sep="\n        ", flush=True)
+        print(f"differs {title}: {found}" if found else f"same    {title}", flush=True)
     sys.exit(differ > 0)
 
 

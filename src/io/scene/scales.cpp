@@ -81,4 +81,15 @@ double width_of_endless_splits(const Scene& scene) {
   return std::sqrt(alpha2 / (1 - alpha2) * 4 * scene.flow.nu * scene.time.dt);
 }
 
+bool splits_endlessly(const Scene& scene) {
+  const double child = width_of_endless_splits(scene), widest = scene.cores.sigma_max;
+  return child * child > scene.merging.cap * widest * widest;
+}
+
+double generations(const Scene& scene, double time) {
+  const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
+  const double most2 = scene.cores.sigma_max * scene.cores.sigma_max;
+  return 4 * scene.flow.nu * time / ((1 - alpha2) * most2);
+}
+
 }  // namespace vortree::io

@@ -45,5 +45,9 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 /// The widths of what splits every step [m]: alpha^2 (w^2 + 4 nu dt) = w^2. If the children are too
 /// wide to merge, cap sigma_max^2 < w^2, blobs multiply.
 [[nodiscard]] double width_of_endless_splits(const Scene& scene);
+[[nodiscard]] bool splits_endlessly(const Scene& scene);
+
+/// How many times in a row a blob splits in such a time, if nothing merges.
+[[nodiscard]] double generations(const Scene& scene, double time);
 
 }  // namespace vortree::io

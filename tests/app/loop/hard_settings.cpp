@@ -3,41 +3,15 @@
 
 #include "app/program.hpp"
 #include "checks/warnings.hpp"
+#include "flow/scenes.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
 
 namespace {
 
-const std::string cylinder = R"(
-accuracy = 0.04
-[flow]
-reynolds = 100
-stream = [1.0, 0.0]
-[body]
-radius = 0.5
-[time]
-end = 1.0
-[output]
-frames = 0.5
-)";
-
-const std::string vortex = R"(
-[flow]
-nu = 1e-3
-[initial]
-kind = "lamb_oseen"
-circulation = 1.0
-core = 0.2
-[cores]
-sigma_0 = 0.04
-sigma_max = 0.05
-[merging]
-tolerance = 5e-4
-[time]
-dt = 0.02
-end = 1.0
-)";
+const std::string cylinder = cylinder_by_accuracy + "[output]\nframes = 0.5\n";
+const std::string vortex = vortex_by_hand + "[merging]\ntolerance = 5e-4\n";
 
 std::vector<std::string> doubted(const std::vector<std::string>& overrides) {
   return checks::warnings(io::parse_scene(cylinder, "cylinder.toml", overrides));
