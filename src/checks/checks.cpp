@@ -131,14 +131,14 @@ std::optional<double> frame_at(const Column& times, double T) {
 /// Relative L2 deviation of the wall vorticity, omega R/U, at the times that wall.csv and the
 /// reference share.
 Column wall_deviations(const io::Scene& scene, const std::filesystem::path& folder,
-                       const flow::FlowCase& flow) {
+                       const flow::Scales& scales) {
   const io::Table reference(io::reference_path(scene, *scene.check.wall_vorticity_reference));
   const io::Table wall(folder / "wall.csv");
   const Column rT = reference.column("T"), rAngle = reference.column("theta_deg"),
                rValue = reference.column("omega_R_over_U");
   const Column T = wall.column("T"), angle = wall.column("angle_deg"),
                value = wall.column("vorticity");
-  const double unit = flow.diameter / (2 * flow.speed);
+  const double unit = scales.length / (2 * scales.speed);
   Column deviations;
   for (std::size_t k = 0; k < rT.size();) {
     const double time = rT[k];
@@ -162,11 +162,11 @@ Column wall_deviations(const io::Scene& scene, const std::filesystem::path& fold
 }
 
 void check_wall(std::vector<Verdict>& list, const io::Scene& scene,
-                const std::filesystem::path& folder, const flow::FlowCase& flow,
+                const std::filesystem::path& folder, const flow::Scales& scales,
                 const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   if (!c.wall_vorticity_reference) return;
-  const Column off = wall_deviations(scene, folder, flow);
+  const Column off = wall_deviations(scene, folder, scales);
   const auto reached = [&](double number) -> Reached {
     if (!off.empty()) return {number};
     if (rows.T().empty() || rows.T().back() < c.wall_vorticity_from.value_or(0))
@@ -184,20 +184,20 @@ void check_wall(std::vector<Verdict>& list, const io::Scene& scene,
 }  // namespace
 
 std::vector<Verdict> verdicts(const io::Scene& scene, const std::filesystem::path& folder,
-                              const vortex::Blobs& blobs, const flow::FlowCase& flow) {
+                              const flow::Solver& solver, const flow::Scales& scales) {
   std::vector<Verdict> list;
   const HistoryRows rows(folder / "report.csv");
-  if (flow.wall) {
+  if (scales.body) {
     check_drag(list, scene, rows);
     check_forces(list, scene, rows);
     check_shedding(list, scene.check, rows);
-    check_plunge(list, scene, flow, rows);
-    check_wall(list, scene, folder, flow, rows);
+    check_plunge(list, scene, scales, rows);
+    check_wall(list, scene, folder, scales, rows);
   }
-  check_free_space(list, scene, folder, blobs, flow, rows);
-  const Column count = rows.column("blobs");
-  add(list, "blobs_max", scene.check.blobs_max,
-      [&] { return rows.largest({}, [&](std::size_t r) { return count[r]; }); });
+  check_free_space(list, scene, folder, solver, scales, rows);
+  add(list, "blobs_max", scene.check.blobs_max, [&, count = rows.column(solver.particle() + "s")] {
+    return rows.largest({}, [&](std::size_t r) { return count[r]; });
+  });
   return list;
 }
 

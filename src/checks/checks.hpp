@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "flow/flow_case.hpp"
+#include "flow/scales.hpp"
+#include "flow/solver.hpp"
 #include "io/scene/scene.hpp"
 
 namespace vortree::checks {
@@ -32,9 +33,9 @@ struct Verdict {
 /// `folder`, and the reference files that the scene names. What is relative to something that is
 /// zero counts as it is.
 ///
-/// blobs  at the end
+/// solver  the flow at the end
 std::vector<Verdict> verdicts(const io::Scene& scene, const std::filesystem::path& folder,
-                              const vortex::Blobs& blobs, const flow::FlowCase& flow);
+                              const flow::Solver& solver, const flow::Scales& scales);
 
 /// One line: `check passed: drag_max 0.009 of 0.02; not reached: bubble_max (the run ends at T =
 /// 1)`.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "flow/flow_case.hpp"
+#include "flow/solver.hpp"
 #include "io/scene/scales.hpp"
 
 namespace vortree::checks {
@@ -143,7 +143,7 @@ void refuse_beyond(const io::Scene& scene, double memory) {
   if (c.wall_bytes > memory)
     refuse(fmt::format("body.panels is {}; the wall's matrix would take {}", scene.body->panels,
                        size(c.wall_bytes)));
-  if (const double most = std::min<double>(blobs_in(memory), flow::most_blobs);
+  if (const double most = std::min<double>(blobs_in(memory), flow::most_particles);
       scene.initial && lattice_blobs(scene) > most)
     throw io::InputError(fmt::format(
         "{}: initial.spacing {} and cores.sigma_0 {} cut the vortex into {:.3g} blobs; this "

@@ -7,38 +7,36 @@
 #include "exact/kirchhoff_ellipse.hpp"
 #include "exact/lamb_oseen.hpp"
 #include "exact/vortex_pairs.hpp"
-#include "vortex/wall/vorticity.hpp"
 
 namespace vortree::checks {
 namespace {
 
-/// The vortex at the end, as seen from the flow's origin, against the exact one, at points out to
-/// four cores in several directions.
+/// The vortex at the end against the exact one, which goes with the stream, at points out to four
+/// cores in several directions.
 void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
-                      const vortex::Blobs& blobs, const flow::FlowCase& flow,
-                      const HistoryRows& rows) {
+                      const flow::Solver& solver, const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   if (c.exact != io::ExactAnswer::lamb_oseen || !scene.initial || rows.T().empty()) return;
   const exact::LambOseen vortex{scene.initial->circulation, scene.initial->core, scene.flow.nu};
   const double t = rows.column("t").back();
+  const auto [u0, v0] = scene.flow.stream;
+  const Vec2 centre{scene.initial->centre[0] + t * u0, scene.initial->centre[1] + t * v0};
   Column x, y, r, angle;
   for (int i = 0; i <= 80; ++i)
     for (int k = 0; k < 13; ++k) {
       r.push_back(0.05 * i * vortex.core_at(t));
       angle.push_back(0.3 + 2 * std::numbers::pi * k / 13);
-      x.push_back(r.back() * std::cos(angle.back()));
-      y.push_back(r.back() * std::sin(angle.back()));
+      x.push_back(centre.x + r.back() * std::cos(angle.back()));
+      y.push_back(centre.y + r.back() * std::sin(angle.back()));
     }
-  Column omega(x.size());
-  vortex::vorticity(blobs, nullptr, {x, y}, omega);
-  const vortex::Velocities u = vortex::velocity_at({x, y}, blobs, flow.problem);
+  const flow::Samples found = solver.sample({x, y});
   Column vorticity_off, velocity_off;
   double fastest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double swirl = vortex.swirl(r[i], t);
-    const double du = u.u[i] + swirl * std::sin(angle[i]);
-    const double dv = u.v[i] - swirl * std::cos(angle[i]);
-    vorticity_off.push_back(omega[i] - vortex.vorticity(r[i], t));
+    const double du = found.u[i] - u0 + swirl * std::sin(angle[i]);
+    const double dv = found.v[i] - v0 - swirl * std::cos(angle[i]);
+    vorticity_off.push_back(found.omega[i] - vortex.vorticity(r[i], t));
     velocity_off.push_back(std::hypot(du, dv));
     fastest = std::max(fastest, std::abs(swirl));
   }
@@ -50,15 +48,14 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
 
 /// What free space keeps, from the first row of the report on.
 void check_invariants(std::vector<Verdict>& list, const io::Scene& scene,
-                      const flow::FlowCase& flow, const HistoryRows& rows) {
+                      const flow::Scales& scales, const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
   const Column gamma = rows.column("circulation"), x = rows.column("impulse_x"),
                y = rows.column("impulse_y"), second = rows.column("second_moment"),
                t = rows.column("t");
   const Column plus = rows.column("circulation_plus");
-  const bool body = flow.wall != nullptr;
-  const double length = body ? flow.diameter : scene.initial->core;
-  double unit = body ? flow.speed * flow.diameter : std::max(std::abs(gamma[0]), plus[0]);
+  const double length = scales.body ? scales.length : scene.initial->core;
+  double unit = scales.body ? scales.speed * scales.length : std::max(std::abs(gamma[0]), plus[0]);
   if (unit == 0) unit = 1;
   // Opposite vortices have none but what rounding leaves.
   const double least = unit * length * length;
@@ -187,15 +184,15 @@ void check_energy(std::vector<Verdict>& list, const io::Scene& scene,
 }  // namespace
 
 void check_free_space(std::vector<Verdict>& list, const io::Scene& scene,
-                      const std::filesystem::path& folder, const vortex::Blobs& blobs,
-                      const flow::FlowCase& flow, const HistoryRows& rows) {
-  check_lamb_oseen(list, scene, blobs, flow, rows);
+                      const std::filesystem::path& folder, const flow::Solver& solver,
+                      const flow::Scales& scales, const HistoryRows& rows) {
+  check_lamb_oseen(list, scene, solver, rows);
   if (scene.check.exact == io::ExactAnswer::kirchhoff_ellipse) check_kirchhoff(list, scene, rows);
   if (scene.check.exact == io::ExactAnswer::corotating_pair) check_merger(list, scene, rows);
   if (scene.check.exact == io::ExactAnswer::dipole) check_dipole(list, scene, rows);
   check_moments(list, scene, rows);
   check_energy(list, scene, folder);
-  check_invariants(list, scene, flow, rows);
+  check_invariants(list, scene, scales, rows);
 }
 
 }  // namespace vortree::checks

@@ -39,9 +39,8 @@ std::complex<double> at_frequency(const Column& t, const Column& values, Periods
 
 /// In fluid at rest, where drag is the force along the plunge.
 void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Column& t,
-                   const Column& force, Periods periods, const flow::FlowCase& flow) {
+                   const Column& force, Periods periods, double omega, const flow::Scales& scales) {
   constexpr double pi = std::numbers::pi;
-  const double omega = flow.problem.flow.plunge.omega();
   const auto off = [&](double value, const std::optional<double>& known) -> Reached {
     if (!periods.any()) return no_period;
     return {std::abs(deviation(value, known.value_or(0)))};
@@ -50,26 +49,27 @@ void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Co
   add(list, "morison_drag_max", c.morison_drag_max,
       [&] { return off(-3 * pi / 8 * f.imag(), c.morison_drag); });
   add(list, "morison_mass_max", c.morison_mass_max, [&] {
-    return off(2 * flow.speed * f.real() / (pi * flow.diameter * omega), c.morison_mass);
+    return off(2 * scales.speed * f.real() / (pi * scales.length * omega), c.morison_mass);
   });
 }
 
 }  // namespace
 
-void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const flow::FlowCase& flow,
+void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const flow::Scales& scales,
                   const HistoryRows& rows) {
   if (!scene.plunge) return;
   const Periods periods = whole_periods(scene, rows);
   const Column t = rows.column("t");
-  check_morison(list, scene.check, t, rows.column("cd_impulse"), periods, flow);
+  const double omega = 2 * std::numbers::pi * scene.plunge->frequency;
+  check_morison(list, scene.check, t, rows.column("cd_impulse"), periods, omega, scales);
   add(list, "theodorsen_max", scene.check.theodorsen_max, [&]() -> Reached {
     if (!periods.any()) return no_period;
-    const body::Plunge& plunge = flow.problem.flow.plunge;
-    const Vec2 across{-flow.along.y, flow.along.x};
-    const double half = flow.diameter / 2;
-    const auto plate = exact::lift_of_plunge(dot(plunge.amplitude, across) / half,
-                                             plunge.omega() * half / flow.speed);
-    const auto ours = at_frequency(t, rows.column("cl_impulse"), periods, plunge.omega());
+    const auto [x, y] = scene.plunge->direction;
+    const double half = scales.length / 2;
+    const Vec2 amplitude = scene.plunge->amplitude * ((1 / std::hypot(x, y)) * Vec2{x, y});
+    const auto plate =
+        exact::lift_of_plunge(dot(amplitude, scales.across()) / half, omega * half / scales.speed);
+    const auto ours = at_frequency(t, rows.column("cl_impulse"), periods, omega);
     return {share(std::abs(ours - plate), std::abs(plate))};
   });
 }

@@ -19,7 +19,7 @@ namespace vortree::checks {
 /// theodorsen_max  |C_L - C_L of the plate|/|C_L of the plate|, of the components at the frequency
 ///                 of the plunge, phases counted; for a plunge across the stream
 /// source  Keulegan & Carpenter, J. Res. Nat. Bur. Stand. 60 (1958)
-void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const flow::FlowCase& flow,
+void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const flow::Scales& scales,
                   const HistoryRows& rows);
 
 }  // namespace vortree::checks

@@ -9,7 +9,7 @@
 #include "base/free_memory.hpp"
 #include "checks/cost.hpp"
 #include "checks/warnings_of_means.hpp"
-#include "flow/timetable.hpp"
+#include "checks/warnings_of_times.hpp"
 #include "io/scene/scales.hpp"
 #include "io/scene/sense.hpp"
 
@@ -147,7 +147,7 @@ void doubt_vortex(List& list, const io::Scene& scene) {
 }  // namespace
 
 std::vector<std::string> warnings(const io::Scene& scene) {
-  List list = flow::warnings_of_times(scene);
+  List list = warnings_of_times(scene);
   if (scene.body && io::fastest_of(scene) > 0 && scene.flow.nu > 0) doubt_body(list, scene);
   if (scene.initial) doubt_initial(list, *scene.initial, scene.cores.sigma_0);
   if (scene.initial && scene.body && io::covers(*scene.body, scene.initial->centre))

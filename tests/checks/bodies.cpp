@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "checks/made_up.hpp"
+#include "checks/scenes.hpp"
 #include "exact/theodorsen.hpp"
-#include "flow/scenes.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
@@ -190,7 +190,7 @@ TEST_CASE("a body that plunges in fluid at rest has the drag and mass that are k
     overrides.insert(overrides.end(), {"check." + check + "_max=0.05", "check." + check + known});
     MadeUpRun made(cylinder_by_hand, overrides);
     // C_D |sin| sin against the velocity, C_M with the place: F = -D/2 C_D |V| V - pi/4 D^2 C_M V'.
-    const double U = made.flow().speed, omega = pi;
+    const double U = made.scales().speed, omega = pi;
     made.with("cd_impulse", [=](double t) {
       const double V = -std::sin(omega * t), A = -std::cos(omega * t) * omega / U * U;
       return 2 * (-0.5 * 2.0 * std::abs(V) * V - pi / 4 * 1.1 * A / U);

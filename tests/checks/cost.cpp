@@ -3,9 +3,10 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "app/methods/methods.hpp"
+#include "app/methods/vortex.hpp"
 #include "app/program.hpp"
-#include "flow/flow_case.hpp"
-#include "flow/scenes.hpp"
+#include "checks/scenes.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
@@ -35,7 +36,8 @@ TEST_CASE("the estimate of a vortex's blobs is that of its lattice, to a few row
       std::istringstream pairs("initial.kind=" + std::string(kind));
       for (std::string word; pairs >> word;) words.push_back(word);
       const io::Scene asked = scene(vortex_by_hand, words);
-      const auto made = static_cast<double>(flow::initial_blobs(asked).size());
+      const auto made =
+          static_cast<double>(app::vortex_setup(asked, app::scales_of(asked)).blobs.size());
       CHECK(checks::cost_of(asked).blobs == Approx(made).epsilon(0.1));
     }
 }

@@ -24,7 +24,7 @@ TEST_CASE("the field of a lone vortex is the exact one, or not") {
   for (const char* check : {"vorticity_max", "velocity_max"}) {
     MadeUpRun run(scene_of("lamb_oseen"),
                   {"flow.nu=0", "check.exact=lamb_oseen", std::string("check.") + check + "=0.02"});
-    vortex::Blobs blobs = flow::initial_blobs(run.scene());
+    vortex::Blobs blobs = run.blobs();
     CAPTURE(check);
     CHECK(run.verdict(3, blobs).passed());
     for (double& gamma : blobs.gamma) gamma *= 1.04;

@@ -7,9 +7,12 @@
 #include <map>
 #include <memory>
 
+#include "app/loop/rows.hpp"
+#include "app/methods/methods.hpp"
+#include "app/methods/vortex.hpp"
 #include "app/program.hpp"
 #include "checks/checks.hpp"
-#include "flow/record.hpp"
+#include "vortex/solver.hpp"
 
 namespace vortree::test {
 
@@ -26,7 +29,7 @@ class MadeUpRun {
             const Files& files = {})
       : folder_(filled(files)),
         scene_(io::parse_scene(text, folder_->write("scene.toml", text), overrides)),
-        flow_(flow::flow_case(scene_)) {}
+        scales_(app::scales_of(scene_)) {}
 
   MadeUpRun& with(const std::string& column, Of value) {
     columns_[column] = std::move(value);
@@ -36,23 +39,27 @@ class MadeUpRun {
     return with(column, [value](double) { return value; });
   }
 
+  /// blobs  at the end; none: those of the start
   std::vector<checks::Verdict> verdicts(int rows, const vortex::Blobs& blobs = {}) const {
-    const double dt = scene_.time.dt;
-    std::string report = fmt::format("{}\n", fmt::join(flow::Record::names(), ","));
+    vortex::Setup setup = app::vortex_setup(scene_, scales_);
+    if (blobs.size() > 0) setup.blobs = blobs;
+    const vortex::Solver solver(std::move(setup));
+    const std::vector<std::string> names = app::Rows(solver, scales_).names();
+    std::string report = fmt::format("{}\n", fmt::join(names, ","));
     for (int k = 1; k <= rows; ++k) {
       std::vector<double> row;
-      for (const std::string& name : flow::Record::names()) {
+      for (const std::string& name : names) {
         const auto given = columns_.find(name);
-        const double t = k * dt, T = flow_.wall ? 2 * flow_.speed * t / flow_.diameter : t;
+        const double t = k * scene_.time.dt;
         row.push_back(name == "t"               ? t
-                      : name == "T"             ? T
+                      : name == "T"             ? scales_.T(t)
                       : given == columns_.end() ? 0
                                                 : given->second(t));
       }
       report += fmt::format("{}\n", fmt::join(row, ","));
     }
     folder_->write("report.csv", report);
-    return checks::verdicts(scene_, folder_->path(), blobs, flow_);
+    return checks::verdicts(scene_, folder_->path(), solver, scales_);
   }
 
   /// The one verdict on what is asked.
@@ -63,7 +70,8 @@ class MadeUpRun {
   }
 
   const io::Scene& scene() const { return scene_; }
-  const flow::FlowCase& flow() const { return flow_; }
+  const flow::Scales& scales() const { return scales_; }
+  vortex::Blobs blobs() const { return app::vortex_setup(scene_, scales_).blobs; }
 
  private:
   static std::unique_ptr<TemporaryFolder> filled(const Files& files) {
@@ -74,7 +82,7 @@ class MadeUpRun {
 
   std::unique_ptr<TemporaryFolder> folder_;
   io::Scene scene_;
-  flow::FlowCase flow_;
+  flow::Scales scales_;
   std::map<std::string, Of> columns_;
 };
 

@@ -5,7 +5,6 @@
 #include "app/program.hpp"
 #include "checks/checks.hpp"
 #include "checks/history_rows.hpp"
-#include "flow/health.hpp"
 
 using namespace vortree;
 using namespace vortree::test;

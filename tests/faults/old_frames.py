@@ -1,4 +1,4 @@
-"""Makes frames as the program wrote them before they kept anything of the tables."""
+"""Makes good frames that lack what a run needs to go on, as of another version of the program."""
 
 import struct
 
@@ -42,7 +42,10 @@ def forget_tables(path):
             attributes, total = frame.attrs, Checksum()
             total.word(int(attributes["step"]))
             total.word(struct.unpack("<Q", struct.pack("<d", attributes["time"]))[0])
-            for column in ("x", "y", "gamma", "sigma", "u", "v"):
+            for column in attributes["columns"].decode().split(", "):
+                column, unit = column.split(" ")
+                total.text(column)
+                total.text(unit)
                 total.numbers(frame[column][()])
             for key in sorted(frame["state"]):
                 total.text(key)

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <utility>
 
-#include "app/plot.hpp"
 #include "app/folder/older_run.hpp"
 #include "app/folder/output_folder.hpp"
+#include "app/plot.hpp"
 #include "app/say.hpp"
 #include "bench/tables/neighbor_bench.hpp"
 #include "bench/tables/neighbor_uses.hpp"
@@ -72,9 +72,9 @@ void bench_trees(const TreeBenchJob& job) {
                          .largest = job.largest,
                          .flows = {}};
   if (!job.blobs.empty()) {
-    for (io::Frame& frame : io::read_frames(job.blobs, most_moments)) {
-      bench::PointSet set{std::move(frame.x), std::move(frame.y), std::move(frame.gamma),
-                          std::move(frame.sigma)};
+    for (const io::Frame& frame : io::read_frames(job.blobs, most_moments)) {
+      const auto column = [&](const char* name) { return flow::column(frame.columns, name); };
+      bench::PointSet set{column("x"), column("y"), column("gamma"), column("sigma")};
       if (set.size() > 0) trees.flows.push_back({fmt::format("flow_t{:g}", frame.time), set});
     }
   }

@@ -72,7 +72,7 @@ Cells row_of(const Member& m, std::span<const std::string> errors,
   Cells row = m.values;
   const RunResult& r = m.result;
   if (m.failure.empty())
-    row.insert(row.end(), {fmt::format("{}", r.steps), fmt::format("{}", r.most_blobs),
+    row.insert(row.end(), {fmt::format("{}", r.steps), fmt::format("{}", r.most_particles),
                            fmt::format("{:.3g}", r.seconds)});
   else
     row.insert(row.end(), {"failed", "", ""});
@@ -165,7 +165,7 @@ void write_csv(const std::filesystem::path& file, const RunOptions& options, con
     for (const std::string& value : m.values) out << cell(value) << ",";
     const RunResult& r = m.result;
     if (m.failure.empty())
-      out << fmt::format("{},{},{},{}", r.steps, r.most_blobs, r.particle_steps, r.seconds);
+      out << fmt::format("{},{},{},{}", r.steps, r.most_particles, r.particle_steps, r.seconds);
     else
       out << ",,,";
     for (const std::string& what : errors) out << "," << text(reached(m, what), "{}");

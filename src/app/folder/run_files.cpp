@@ -4,25 +4,20 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <functional>
 #include <iterator>
-#include <numbers>
 #include <stdexcept>
 
 #include "app/install_paths.hpp"
 #include "app/say.hpp"
 #include "io/files.hpp"
 #include "io/while_reading.hpp"
-#include "vortex/blobs/energy.hpp"
 
 namespace vortree::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_for_energy = 20000;
 const std::string fields_key = "times of fields";  // in the state of a frame
 
 io::RunInfo run_info(const io::Scene& scene) {
@@ -46,6 +41,7 @@ void on_the_way(const std::function<void()>& write) {
 
 /// The first difference that would change the flow itself, or nothing.
 std::string difference(const io::Scene& a, const io::Scene& b) {
+  if (a.method != b.method) return "method";
   if (a.flow != b.flow) return "[flow]";
   if (a.body != b.body) return "[body]";
   if (a.plunge != b.plunge) return "[plunge]";
@@ -70,11 +66,12 @@ io::Scene stored_scene(const io::RunInfo& info, const fs::path& file, const fs::
 
 }  // namespace
 
-RunFiles::RunFiles(const io::Scene& scene, const flow::FlowCase& flow, fs::path folder)
+RunFiles::RunFiles(const io::Scene& scene, const flow::Solver& solver,
+                   std::vector<std::string> report, fs::path folder)
     : scene_(scene),
-      flow_(flow),
+      solver_(solver),
       folder_(std::move(folder)),
-      tables_(folder_, flow.wall != nullptr) {}
+      tables_(folder_, std::move(report), solver.frame_table()) {}
 
 void RunFiles::require_outputs() const {
   std::vector<fs::path> inputs{scene_.origin.path};
@@ -90,7 +87,7 @@ void RunFiles::require_outputs() const {
 void RunFiles::begin() {
   require_outputs();
   io::remove_file(folder_ / "summary.json");
-  io::create_frames(folder_, run_info(scene_));
+  io::create_frames(folder_, run_info(scene_), solver_.columns());
   io::remove_file(folder_ / "fields.h5");
   io::remove_file(folder_ / "fields.xdmf");
   tables_.begin();
@@ -111,26 +108,9 @@ io::Frame RunFiles::last_frame() const {
   return *std::move(found.last);
 }
 
-/// One row of report.csv a step, of which the last still waits in the history; of the other table
-/// as many as a frame adds.
-std::vector<double> RunFiles::expected_times(RunTables::Kind kind, long step) const {
-  std::vector<double> times;
-  if (kind == RunTables::report) {
-    for (long s = 1; s < step; ++s) times.push_back(static_cast<double>(s) * scene_.time.dt);
-    return times;
-  }
-  io::visit_frames(folder_ / "frames.h5", step, [&](const io::Frame& frame) {
-    std::size_t rows = frame.x.size() > most_for_energy ? 0 : 1;
-    if (flow_.wall) rows = frame.step > 0 ? flow_.wall->panels() : 0;
-    times.insert(times.end(), rows, frame.time);
-  });
-  return times;
-}
-
 void RunFiles::resume_fields(const io::Frame& frame) {
   const std::vector<double> kept = io::rewind_fields(folder_, frame.time);
-  const auto were = frame.state.find(fields_key);
-  fields_ = were == frame.state.end() ? kept : were->second;
+  fields_ = flow::saved(frame.state, fields_key);
   std::vector<double> lost;
   std::ranges::copy_if(fields_, std::back_inserter(lost),
                        [&](double t) { return std::ranges::find(kept, t) == kept.end(); });
@@ -141,18 +121,24 @@ void RunFiles::resume_fields(const io::Frame& frame) {
 
 void RunFiles::resume(const io::Frame& frame) {
   require_outputs();
-  tables_.resume(frame, [&](RunTables::Kind kind) { return expected_times(kind, frame.step); });
+  tables_.resume(frame);
   resume_fields(frame);
   io::rewind_frames(folder_, frame.step);
 }
 
-void RunFiles::row(const flow::Record& record) {
-  const auto all = record.values();
-  tables_.row(RunTables::report, std::span(all).first(flow::Record::columns));
+void RunFiles::row(std::span<const double> values) {
+  tables_.row(RunTables::report, values);
 }
 
-void RunFiles::frame(io::Frame frame) {
+void RunFiles::frame(flow::State state) {
+  io::Frame frame{.step = solver_.steps(),
+                  .time = solver_.time(),
+                  .columns = solver_.columns(),
+                  .state = std::move(state)};
+  if (const std::string bad = flow::not_finite(frame.columns, solver_.particle()); !bad.empty())
+    throw flow::Diverged(bad);
   on_the_way([&] {
+    tables_.rows(RunTables::of_frames, solver_.frame_rows());
     tables_.keep(frame);
     frame.state[fields_key] = fields_;
     io::append_frame(folder_, frame);
@@ -165,22 +151,6 @@ void RunFiles::field(const io::Field& field) {
                                          (folder_ / "fields.h5").string()));
   on_the_way([&] { io::append_field(folder_, field); });
   fields_.push_back(field.time);
-}
-
-void RunFiles::wall(double time, std::span<const double> sheet, std::span<const double> vorticity) {
-  const double T = 2 * flow_.speed * time / flow_.diameter;
-  const Vec2 s = flow_.along;
-  for (std::size_t i = 0; i < flow_.wall->panels(); ++i) {
-    const Vec2 d = flow_.wall->middle(i);
-    const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
-    tables_.row(RunTables::other, std::array{time, T, angle, vorticity[i], sheet[i]});
-  }
-}
-
-void RunFiles::energy(double time, const vortex::Blobs& blobs) {
-  if (blobs.size() > most_for_energy) return;
-  const vortex::Energy now = vortex::energy(blobs);
-  tables_.row(RunTables::other, std::array{time, now.energy, now.enstrophy});
 }
 
 }  // namespace vortree::app

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "app/folder/run_tables.hpp"
-#include "flow/flow_case.hpp"
-#include "flow/record.hpp"
+#include "flow/solver.hpp"
 #include "io/frames/frames.hpp"
 #include "io/scene/scene.hpp"
 #include "io/tables/fields.hpp"
@@ -14,7 +13,7 @@
 namespace vortree::app {
 
 /// What a run writes into its folder on its way; cases/scenes.md says what the files hold. Scene
-/// and flow are those of the run, which keeps them.
+/// and solver are those of the run, which keeps them.
 ///
 /// Every frame is a checkpoint, and whatever was written before it is on the disk before it: rows
 /// of the tables and pictures are forced to the disk, then the frame. So after a kill or a power
@@ -24,7 +23,9 @@ namespace vortree::app {
 /// summary ever stands beside frames of another run.
 class RunFiles {
  public:
-  RunFiles(const io::Scene& scene, const flow::FlowCase& flow, std::filesystem::path folder);
+  /// report  columns of report.csv
+  RunFiles(const io::Scene& scene, const flow::Solver& solver, std::vector<std::string> report,
+           std::filesystem::path folder);
 
   /// throws  io::InputError if one of them is an input, or no regular file
   void require_outputs() const;
@@ -42,23 +43,22 @@ class RunFiles {
   /// throws  io::InputError if a table cannot be made again
   void resume(const io::Frame& frame);
 
-  void row(const flow::Record& record);
-  void frame(io::Frame frame);
+  void row(std::span<const double> values);
   void field(const io::Field& field);
-  /// One row for each panel.
-  void wall(double time, std::span<const double> sheet, std::span<const double> vorticity);
-  /// In free space; nothing for more than 20 000 blobs, since the sum is over all pairs.
-  void energy(double time, const vortex::Blobs& blobs);
+
+  /// The flow as it is, with whatever else it takes to go on; and the rows that the method adds to
+  /// its table.
+  /// throws  flow::Diverged if a number is not finite
+  void frame(flow::State state);
 
   /// Forces the last rows to the disk.
   void end() const { tables_.force(); }
 
  private:
-  std::vector<double> expected_times(RunTables::Kind kind, long step) const;
   void resume_fields(const io::Frame& frame);
 
   const io::Scene& scene_;
-  const flow::FlowCase& flow_;
+  const flow::Solver& solver_;
   std::filesystem::path folder_;
   RunTables tables_;
   std::vector<double> fields_;  ///< times of the pictures so far

@@ -3,20 +3,13 @@
 #include <fmt/format.h>
 
 #include "app/say.hpp"
-#include "flow/record.hpp"
 
 namespace vortree::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<RunTables::Kind, 2> kinds{RunTables::report, RunTables::other};
-
-std::vector<std::string> columns(RunTables::Kind kind, bool wall) {
-  if (kind == RunTables::report) return flow::Record::names();
-  if (wall) return {"t", "T", "angle_deg", "vorticity", "sheet"};
-  return {"t", "energy", "enstrophy"};
-}
+constexpr std::array<RunTables::Kind, 2> kinds{RunTables::report, RunTables::of_frames};
 
 constexpr std::string_view way_out = "put the table back as it was, or start anew with --overwrite";
 
@@ -28,44 +21,40 @@ std::string rows_key(const std::string& table) {
   return "rows of " + table;
 }
 
-std::optional<io::TableMark> mark_in(const io::Frame& frame, const std::string& table) {
-  const auto kept = frame.state.find(mark_key(table));
-  return kept == frame.state.end() ? std::nullopt : io::mark_of(kept->second);
-}
-
 }  // namespace
 
-RunTables::RunTables(fs::path folder, bool wall) : folder_(std::move(folder)), wall_(wall) {}
+RunTables::RunTables(fs::path folder, std::vector<std::string> report,
+                     const flow::FrameTable& of_frames)
+    : folder_(std::move(folder)), tables_{{{"report.csv", std::move(report)}, of_frames}} {}
 
 std::array<std::string, 2> RunTables::names() const {
-  return {"report.csv", wall_ ? "wall.csv" : "energy.csv"};
+  return {tables_[0].name, tables_[1].name};
 }
 
 void RunTables::begin() {
-  for (const Kind kind : kinds) open_[kind].emplace(path(kind), columns(kind, wall_));
+  for (const Kind kind : kinds) open_[kind].emplace(path(kind), tables_[kind].columns);
 }
 
-void RunTables::resume(const io::Frame& frame, const Times& expected) {
-  for (const Kind kind : kinds) open_[kind] = resumed(kind, frame, expected);
+void RunTables::rows(Kind kind, std::span<const double> values) {
+  const std::size_t width = tables_[kind].columns.size();
+  for (std::size_t k = 0; k < values.size(); k += width) row(kind, values.subspan(k, width));
 }
 
-io::Report RunTables::resumed(Kind kind, const io::Frame& frame, const Times& expected) const {
-  std::optional<io::TableMark> mark = mark_in(frame, names()[kind]);
-  if (!mark) {
-    try {
-      mark = io::counted(path(kind), io::report_text(path(kind)), expected(kind));
-    } catch (const io::InputError& differs) {
-      throw io::InputError(fmt::format("{}; {}", differs.what(), way_out));
-    }
-  }
-  auto report = io::Report::resume(path(kind), columns(kind, wall_), *mark);
+void RunTables::resume(const io::Frame& frame) {
+  for (const Kind kind : kinds) open_[kind] = resumed(kind, frame);
+}
+
+io::Report RunTables::resumed(Kind kind, const io::Frame& frame) const {
+  const auto mark = io::mark_of(flow::saved(frame.state, mark_key(tables_[kind].name)));
+  if (!mark) throw std::out_of_range("no mark of " + tables_[kind].name);
+  auto report = io::Report::resume(path(kind), tables_[kind].columns, *mark);
   return report ? *std::move(report) : made_again(kind, frame, *mark);
 }
 
 std::vector<double> RunTables::rows_in_frames(Kind kind, const io::Frame& last) const {
   std::vector<double> rows;
   io::visit_frames(folder_ / "frames.h5", last.step, [&](const io::Frame& frame) {
-    const auto kept = frame.state.find(rows_key(names()[kind]));
+    const auto kept = frame.state.find(rows_key(tables_[kind].name));
     if (kept != frame.state.end())
       rows.insert(rows.end(), kept->second.begin(), kept->second.end());
   });
@@ -74,7 +63,7 @@ std::vector<double> RunTables::rows_in_frames(Kind kind, const io::Frame& last) 
 
 io::Report RunTables::made_again(Kind kind, const io::Frame& last,
                                  const io::TableMark& mark) const {
-  const std::vector<std::string> names = columns(kind, wall_);
+  const std::vector<std::string>& names = tables_[kind].columns;
   std::string what = path(kind).string() + " is gone";
   if (fs::exists(path(kind)))
     what = fmt::format("{} is not what it was when the frame of step {} was saved",
@@ -94,8 +83,8 @@ void RunTables::force() const {
 void RunTables::keep(io::Frame& frame) {
   force();
   for (const Kind kind : kinds) {
-    frame.state[mark_key(names()[kind])] = io::as_numbers(open_[kind]->mark());
-    frame.state[rows_key(names()[kind])] = open_[kind]->take_rows();
+    frame.state[mark_key(tables_[kind].name)] = io::as_numbers(open_[kind]->mark());
+    frame.state[rows_key(tables_[kind].name)] = open_[kind]->take_rows();
   }
 }
 

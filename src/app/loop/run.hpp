@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "app/methods/methods.hpp"
 #include "checks/checks.hpp"
 
 namespace vortree::app {
@@ -26,7 +28,7 @@ struct RunResult {
   bool finished = false;
   std::vector<checks::Verdict> verdicts{};
   long steps = 0;
-  double most_blobs = 0, particle_steps = 0, seconds = 0;
+  double most_particles = 0, particle_steps = 0, seconds = 0;
 
   /// It came to its end and missed nothing that was asked and could be seen by then.
   bool passed() const;
@@ -35,8 +37,9 @@ struct RunResult {
 /// Runs a scene from its start, or from the last frame in `out`, to its end; see cases/scenes.md
 /// for what it leaves in `out`.
 ///
+/// among    the methods that a scene can name
 /// throws   io::InputError for wrong input (exit code 2); any other exception is a failed run (exit
 /// code 1)
-RunResult run(const RunOptions& options);
+RunResult run(const RunOptions& options, std::span<const Method> among = methods());
 
 }  // namespace vortree::app

@@ -32,28 +32,45 @@ io::Json check(std::span<const checks::Verdict> verdicts) {
 
 }  // namespace
 
-io::Json summary(const io::Scene& scene, const std::filesystem::path& folder, long steps,
-                 std::size_t blobs, const Totals& totals,
-                 std::span<const checks::Verdict> verdicts) {
+void Totals::save(flow::State& state, double now) const {
+  state["total particle_steps"] = {particle_steps};
+  state["total most_particles"] = {most_particles};
+  state["total seconds"] = {now};
+}
+
+void Totals::restore(const flow::State& state) {
+  particle_steps = flow::saved_number(state, "total particle_steps");
+  most_particles = flow::saved_number(state, "total most_particles");
+  seconds = flow::saved_number(state, "total seconds");
+}
+
+io::Json summary(const io::Scene& scene, const std::filesystem::path& folder,
+                 const flow::Solver& solver, std::span<const std::string> phases,
+                 const Totals& totals, std::span<const checks::Verdict> verdicts) {
   io::Json json;
   json["scene"] = scene.origin.path.string();
   json["title"] = scene.title;
   json["version"] = version();
   json["threads"] = omp_get_max_threads();
-  json["steps"] = std::int64_t{steps};
-  json["blobs"] = static_cast<std::uint64_t>(blobs);
-  json["largest_blob_count"] = totals.most_blobs;
+  json["method"] = scene.method;
+  json["steps"] = std::int64_t{solver.steps()};
+  json[solver.particle() + "s"] = static_cast<std::uint64_t>(solver.particles());
+  json["largest_" + solver.particle() + "_count"] = totals.most_particles;
   json["particle_steps"] = totals.particle_steps;
   json["particle_steps_per_second"] = totals.particle_steps / totals.seconds;
   json["peak_bytes"] = static_cast<std::uint64_t>(peak_bytes());
-  json["largest_drift"] = totals.largest_drift;
+  json["largest_drift"] = solver.drift();
   json["seconds"]["total"] = totals.seconds;
   const io::Table report(folder / "report.csv");
-  for (const char* phase : {"convect", "wall", "split", "merge", "output"}) {
-    const auto laps = report.column(std::string("seconds_") + phase);
+  for (const std::string& phase : phases) {
+    const auto laps = report.column("seconds_" + phase);
     json["seconds"][phase] = std::accumulate(laps.begin(), laps.end(), 0.0);
   }
   json["check"] = check(verdicts);
+  for (const flow::Measure& number : solver.closing().numbers) {
+    const std::size_t dot = number.name.find('.');
+    json[number.name.substr(0, dot)][number.name.substr(dot + 1)] = number.value;
+  }
   return json;
 }
 

@@ -1,24 +1,30 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "checks/checks.hpp"
+#include "flow/solver.hpp"
 #include "io/json.hpp"
 
 namespace vortree::app {
 
 /// Numbers of a whole run, over all its resumptions.
 struct Totals {
-  double particle_steps = 0, most_blobs = 0, seconds = 0, largest_drift = 0;
+  double particle_steps = 0, most_particles = 0, seconds = 0;
+
+  /// now  seconds so far
+  void save(flow::State& state, double now) const;
+  void restore(const flow::State& state);
 };
 
-/// What summary.json says of a finished run: the scene, its `steps`, the `blobs` at the end,
-/// totals, and how it was checked: asked, reached, passed and status of each; what was not reached
-/// has null for both and says why. The seconds of the phases are read from report.csv in `folder`.
-io::Json summary(const io::Scene& scene, const std::filesystem::path& folder, long steps,
-                 std::size_t blobs, const Totals& totals,
-                 std::span<const checks::Verdict> verdicts);
+/// What summary.json says of a finished run: the scene, steps and particles at the end, totals, what
+/// the method says at its close, and how it was checked: asked, reached, passed and status of each;
+/// what was not reached has null for both and says why. The seconds of the phases are read from
+/// report.csv in `folder`.
+io::Json summary(const io::Scene& scene, const std::filesystem::path& folder,
+                 const flow::Solver& solver, std::span<const std::string> phases,
+                 const Totals& totals, std::span<const checks::Verdict> verdicts);
 
 }  // namespace vortree::app

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -29,18 +28,10 @@ h5::Handle roomy_root() {
 
 /// The dimension of each column. As the first link of the root it also fixes the place of the table
 /// of names before any frame.
-void write_units(hid_t file) {
+void write_units(hid_t file, const flow::Columns& columns) {
   h5::Handle units = h5::create_group(file, "units");
-  const std::array<std::pair<const char*, const char*>, 7> dimensions{{{"x", "L"},
-                                                                       {"y", "L"},
-                                                                       {"sigma", "L"},
-                                                                       {"gamma", "L^2/T"},
-                                                                       {"u", "L/T"},
-                                                                       {"v", "L/T"},
-                                                                       {"time", "T"}}};
-  for (const auto& [name, dimension] : dimensions) {
-    h5::write_attribute(units, name, std::string(dimension));
-  }
+  for (const flow::Column& column : columns) h5::write_attribute(units, column.name, column.unit);
+  h5::write_attribute(units, "time", std::string("T"));
   h5::close(std::move(units), "units");
 }
 
@@ -53,7 +44,7 @@ void require_short(const RunInfo& info, std::string_view what, std::string_view 
 
 }  // namespace
 
-void write_empty_frames(const fs::path& path, const RunInfo& info) {
+void write_empty_frames(const fs::path& path, const RunInfo& info, const flow::Columns& columns) {
   const std::string overrides = fmt::format("{}", fmt::join(info.overrides, "\n"));
   require_short(info, "scene", info.scene);
   require_short(info, "resolved scene", info.resolved);
@@ -66,7 +57,7 @@ void write_empty_frames(const fs::path& path, const RunInfo& info) {
   h5::write_attribute(file, "overrides", overrides);
   h5::write_attribute(file, "seed", info.seed);
   h5::write_attribute(file, "units", info.units);
-  write_units(file);
+  write_units(file, columns);
   h5::close_file(std::move(file), path);
 }
 

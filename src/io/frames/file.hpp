@@ -7,8 +7,8 @@
 
 namespace vortree::io {
 
-/// An empty frames file with the attributes of the run.
-void write_empty_frames(const std::filesystem::path&, const RunInfo&);
+/// An empty frames file with the attributes of the run and the units of the columns.
+void write_empty_frames(const std::filesystem::path&, const RunInfo&, const flow::Columns&);
 
 /// throws h5::Failure if an attribute is missing or damaged
 [[nodiscard]] RunInfo read_run_info(hid_t file);

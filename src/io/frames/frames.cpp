@@ -22,12 +22,11 @@ fs::path frames_path(const fs::path& dir) {
 }
 
 void require_equal_lengths(const Frame& frame) {
-  for (const auto& [name, column] : frame_columns) {
-    if ((frame.*column).size() != frame.x.size()) {
-      throw std::invalid_argument(fmt::format("frame {}: {} has {} values, x has {}", frame.step,
-                                              name, (frame.*column).size(), frame.x.size()));
-    }
-  }
+  for (const flow::Column& column : frame.columns)
+    if (column.values.size() != frame.particles())
+      throw std::invalid_argument(fmt::format("frame {}: {} has {} values, {} has {}", frame.step,
+                                              column.name, column.values.size(),
+                                              frame.columns.front().name, frame.particles()));
 }
 
 fs::path xdmf_path(const fs::path& dir) {
@@ -42,7 +41,7 @@ void refresh_xdmf(const fs::path& dir) {
 }
 
 void continue_xdmf(const fs::path& dir, const Frame& frame) {
-  const FrameLabel label{.step = frame.step, .time = frame.time, .blobs = frame.x.size()};
+  const FrameLabel label = label_of(frame);
   std::string page = fs::exists(xdmf_path(dir)) ? read_text(xdmf_path(dir)) : "";
   if (add_to_xdmf(page, "frames.h5", label)) {
     write_derived_text(xdmf_path(dir), page);
@@ -116,12 +115,12 @@ RunInfo info_of(const fs::path& path, const MendedFile& opened) {
 
 }  // namespace
 
-void create_frames(const fs::path& dir, const RunInfo& info) {
+void create_frames(const fs::path& dir, const RunInfo& info, const flow::Columns& columns) {
   std::error_code error;
   fs::create_directories(dir, error);
   require_writable(frames_path(dir));
   h5::replace_file(frames_path(dir),
-                   [&](const fs::path& fresh) { write_empty_frames(fresh, info); });
+                   [&](const fs::path& fresh) { write_empty_frames(fresh, info, columns); });
   write_derived_text(xdmf_path(dir), xdmf_text("frames.h5", {}));
 }
 
@@ -170,10 +169,13 @@ void rewind_frames(const fs::path& dir, std::int64_t step) {
   const fs::path path = frames_path(dir);
   const RunInfo info = info_of_frames(path);
   h5::replace_file(path, [&](const fs::path& fresh) {
-    write_empty_frames(fresh, info);
-    h5::Handle healthy = h5::open_file(fresh, H5F_ACC_RDWR);
+    h5::Handle healthy;
     bool met = false;
     visit_frames(path, step, [&](const Frame& frame) {
+      if (healthy < 0) {
+        write_empty_frames(fresh, info, frame.columns);
+        healthy = h5::open_file(fresh, H5F_ACC_RDWR);
+      }
       write_frame(healthy, frame);
       met = frame.step == step;
     });

@@ -3,22 +3,26 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "flow/columns.hpp"
 #include "io/input_error.hpp"
 
 namespace vortree::io {
 
-/// One saved moment of a run. x, y, gamma, sigma, u, v have one length.
-/// state: everything else that the solver needs to go on bit for bit, by name.
+/// One saved moment of a run.
+///
+/// columns  of the particles, all of one length; x and y are among them
+/// state    everything else that the solver needs to go on bit for bit, by name
 struct Frame {
   std::int64_t step = 0;
   double time = 0;
-  std::vector<double> x, y, gamma, sigma, u, v;
-  std::map<std::string, std::vector<double>> state;
+  flow::Columns columns{};
+  flow::State state{};
+
+  std::size_t particles() const { return columns.empty() ? 0 : columns.front().values.size(); }
   bool operator==(const Frame&) const = default;
 };
 
@@ -37,17 +41,20 @@ struct RunInfo {
 /// Starts DIR/frames.h5 (and DIR/frames.xdmf) with no frames; replaces older ones. DIR is created
 /// if need be.
 ///
+/// columns  of the particles that frames will have; their values do not count
+///
 /// Layout: the run as attributes of the root, the dimensions of the columns as attributes of the
-/// group `units`; a group `frame_000025` (step number) for each frame with datasets x y gamma sigma
-/// u v, attributes step, time, checksum and the subgroups `state` and `view`, the latter the same
-/// columns once more as frames.xdmf shows them (points and velocity in rows of three, vertices;
-/// 52 bytes a blob). What the root needs lies at the beginning of the file, each frame in one piece
+/// group `units`; a group `frame_000025` (step number) for each frame with a dataset a column,
+/// attributes step, time, columns (names and units, in order), checksum and the subgroups `state` and
+/// `view`, the latter the same columns once more as frames.xdmf shows them (points and, if there are
+/// u and v, velocity in rows of three, vertices; 52 bytes a particle). What the root needs lies at the beginning of the file, each frame in one piece
 /// behind the frame before it: a file cut anywhere keeps the frames that lie before the cut. This
 /// holds for runs of up to 4096 frames; more are no error, but then a cut can cost them all (a kill
 /// still costs only one).
 ///
 /// throws  InputError if DIR cannot be created or written
-void create_frames(const std::filesystem::path& dir, const RunInfo&);
+void create_frames(const std::filesystem::path& dir, const RunInfo&,
+                   const flow::Columns& columns = {});
 
 /// Appends a frame to DIR/frames.h5 and rewrites DIR/frames.xdmf. The file is opened and closed
 /// each time, and the frame is linked into it only when it is on the disk: a kill loses at most

@@ -1,6 +1,7 @@
 #include "io/frames/group.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -18,7 +19,11 @@ std::uint64_t checksum(const Frame& frame) {
   Checksum sum;
   sum.add(static_cast<std::uint64_t>(frame.step));
   sum.add(frame.time);
-  for (const auto& [name, column] : frame_columns) sum.add(frame.*column);
+  for (const flow::Column& column : frame.columns) {
+    sum.add(column.name);
+    sum.add(column.unit);
+    sum.add(column.values);
+  }
   for (const auto& [name, values] : frame.state) {
     sum.add(name);
     sum.add(values);
@@ -55,12 +60,48 @@ std::vector<std::int32_t> counted(std::size_t n) {
   return numbers;
 }
 
+/// "x L, y L, gamma L^2/T": names with their units, in order.
+std::string told(const flow::Columns& columns) {
+  std::vector<std::string> words;
+  for (const flow::Column& column : columns) words.push_back(column.name + " " + column.unit);
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// The same read back, without values.
+flow::Columns columns_in(std::string_view text) {
+  flow::Columns columns;
+  while (!text.empty()) {
+    const std::string_view one = text.substr(0, text.find(", "));
+    const std::size_t gap = std::min(one.find(' '), one.size());
+    columns.push_back(
+        {std::string(one.substr(0, gap)), std::string(one.substr(std::min(gap + 1, one.size())))});
+    text.remove_prefix(std::min(one.size() + 2, text.size()));
+  }
+  return columns;
+}
+
+std::vector<std::string> names_of(const flow::Columns& columns) {
+  std::vector<std::string> names;
+  for (const flow::Column& column : columns) names.push_back(column.name);
+  return names;
+}
+
+std::vector<double> in_space(const Frame& frame, std::string_view x, std::string_view y) {
+  return in_space(flow::column(frame.columns, x), flow::column(frame.columns, y));
+}
+
+bool moves(const Frame& frame) {
+  const FrameLabel label = label_of(frame);
+  return label.has("u") && label.has("v");
+}
+
 /// The columns once more, as frames.xdmf shows them.
 void write_view(hid_t group, const Frame& frame) {
+  const std::size_t n = frame.particles();
   h5::Handle view = h5::create_group(group, "view");
-  h5::write_grid(view, "points", in_space(frame.x, frame.y), frame.x.size(), 3);
-  h5::write_grid(view, "velocity", in_space(frame.u, frame.v), frame.x.size(), 3);
-  h5::write(view, "vertices", counted(frame.x.size()));
+  h5::write_grid(view, "points", in_space(frame, "x", "y"), n, 3);
+  if (moves(frame)) h5::write_grid(view, "velocity", in_space(frame, "u", "v"), n, 3);
+  h5::write(view, "vertices", counted(n));
   h5::close(std::move(view), "view");
 }
 
@@ -69,14 +110,11 @@ bool same_bits(std::span<const double> a, std::span<const double> b) {
                             std::bit_cast<std::uint64_t, double>);
 }
 
-/// Frames of earlier versions have no view.
 bool view_agrees(hid_t group, const Frame& frame) {
-  if (!h5::has(group, "view")) return true;
   const h5::Handle view = h5::own(H5Gopen2(group, "view", H5P_DEFAULT), "view");
-  const auto numbers = counted(frame.x.size());
-  return same_bits(h5::read(view, "points"), in_space(frame.x, frame.y)) &&
-         same_bits(h5::read(view, "velocity"), in_space(frame.u, frame.v)) &&
-         std::ranges::equal(h5::read(view, "vertices"), numbers);
+  return same_bits(h5::read(view, "points"), in_space(frame, "x", "y")) &&
+         (!moves(frame) || same_bits(h5::read(view, "velocity"), in_space(frame, "u", "v"))) &&
+         std::ranges::equal(h5::read(view, "vertices"), counted(frame.particles()));
 }
 
 }  // namespace
@@ -97,13 +135,14 @@ std::vector<FramePlace> frame_places(hid_t file) {
 
 void write_frame(hid_t file, const Frame& frame) {
   h5::append_group(file, frame_name(frame.step), [&](hid_t group) {
-    for (const auto& [name, column] : frame_columns) h5::write(group, name, frame.*column);
+    for (const flow::Column& column : frame.columns) h5::write(group, column.name, column.values);
     write_view(group, frame);
     h5::Handle state = h5::create_group(group, "state");
     for (const auto& [name, values] : frame.state) h5::write(state, name, values);
     h5::close(std::move(state), "state");
     h5::write_attribute(group, "step", frame.step);
     h5::write_attribute(group, "time", frame.time);
+    h5::write_attribute(group, "columns", told(frame.columns));
     h5::write_attribute(group, "checksum", checksum(frame));
   });
 }
@@ -113,9 +152,8 @@ Frame read_frame(hid_t file, const FramePlace& place) {
   Frame frame;
   frame.step = h5::read_integer(group, "step");
   frame.time = h5::read_double(group, "time");
-  for (const auto& [column, values] : frame_columns) {
-    frame.*values = h5::read(group, column);
-  }
+  frame.columns = columns_in(h5::read_string(group, "columns"));
+  for (flow::Column& column : frame.columns) column.values = h5::read(group, column.name);
   const h5::Handle state = h5::own(H5Gopen2(group, "state", H5P_DEFAULT), "state");
   for (const auto& [index, key] : h5::links(state)) frame.state[key] = h5::read(state, key);
   if (frame.step != place.step || h5::read_unsigned(group, "checksum") != checksum(frame)) {
@@ -131,9 +169,17 @@ FrameLabel read_label(hid_t file, const FramePlace& place) {
   const h5::Handle group = open_frame(file, place);
   const h5::Handle x = h5::open_dataset(group, "x");
   const h5::Handle space = h5::own(H5Dget_space(x), "x");
-  return {.step = place.step,
-          .time = h5::read_double(group, "time"),
-          .blobs = static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space))};
+  return {place.step, h5::read_double(group, "time"),
+          static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space)),
+          names_of(columns_in(h5::read_string(group, "columns")))};
+}
+
+FrameLabel label_of(const Frame& frame) {
+  return {frame.step, frame.time, frame.particles(), names_of(frame.columns)};
+}
+
+bool FrameLabel::has(std::string_view name) const {
+  return std::ranges::find(columns, name) != columns.end();
 }
 
 }  // namespace vortree::io

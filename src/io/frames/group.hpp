@@ -1,11 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "io/frames/frames.hpp"
@@ -14,14 +11,6 @@
 // One frame as a group of an HDF5 file. Throws h5::Failure for whatever cannot be read or written.
 
 namespace vortree::io {
-
-inline constexpr std::array<std::pair<const char*, std::vector<double> Frame::*>, 6> frame_columns{
-    {{"x", &Frame::x},
-     {"y", &Frame::y},
-     {"gamma", &Frame::gamma},
-     {"sigma", &Frame::sigma},
-     {"u", &Frame::u},
-     {"v", &Frame::v}}};
 
 /// frame_000025
 [[nodiscard]] std::string frame_name(std::int64_t step);
@@ -43,12 +32,16 @@ void write_frame(hid_t file, const Frame&);
 /// it, does not agree.
 [[nodiscard]] Frame read_frame(hid_t file, const FramePlace&);
 
-/// Time and number of blobs of a frame, without reading its columns.
+/// Time, number of particles and names of the columns of a frame, without reading these.
 struct FrameLabel {
   std::int64_t step;
   double time;
-  std::uint64_t blobs;
+  std::uint64_t particles;
+  std::vector<std::string> columns;
+
+  bool has(std::string_view name) const;
 };
+[[nodiscard]] FrameLabel label_of(const Frame&);
 [[nodiscard]] FrameLabel read_label(hid_t file, const FramePlace&);
 
 }  // namespace vortree::io

@@ -29,7 +29,7 @@ std::string attribute(std::string_view name, std::string_view kind, std::string_
 
 std::string grid(std::string_view file, const FrameLabel& frame) {
   const std::string path = fmt::format("{}:/{}", file, frame_name(frame.step));
-  const std::string n = fmt::format("{}", frame.blobs), n3 = n + " 3", n1 = n + " 1";
+  const std::string n = fmt::format("{}", frame.particles), n3 = n + " 3", n1 = n + " 1";
   std::string text = fmt::format(
       "<Grid Name=\"{}\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n"
       "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\" NodesPerElement=\"1\">\n{}"
@@ -37,10 +37,11 @@ std::string grid(std::string_view file, const FrameLabel& frame) {
       frame_name(frame.step), frame.time, n,
       item(path, "view/vertices", n1, "NumberType=\"Int\" Precision=\"4\""),
       item(path, "view/points", n3));
-  for (const char* name : {"gamma", "sigma", "u", "v"}) {
-    text += attribute(name, "Scalar", item(path, name, n));
-  }
-  return text + attribute("velocity", "Vector", item(path, "view/velocity", n3)) + "</Grid>\n";
+  for (const std::string& name : frame.columns)
+    if (name != "x" && name != "y") text += attribute(name, "Scalar", item(path, name, n));
+  if (frame.has("u") && frame.has("v"))
+    text += attribute("velocity", "Vector", item(path, "view/velocity", n3));
+  return text + "</Grid>\n";
 }
 
 std::string grid(std::string_view file, const FieldLabel& field) {
@@ -63,7 +64,7 @@ std::string grid(std::string_view file, const FieldLabel& field) {
 bool add_to_xdmf(std::string& page, std::string_view file, const FrameLabel& frame) {
   if (!page.ends_with(ending)) return false;
   page.resize(page.size() - ending.size());
-  if (frame.blobs > 0) page += grid(file, frame);
+  if (frame.particles > 0) page += grid(file, frame);
   page += ending;
   return true;
 }
@@ -71,7 +72,7 @@ bool add_to_xdmf(std::string& page, std::string_view file, const FrameLabel& fra
 std::string xdmf_text(std::string_view file, std::span<const FrameLabel> frames) {
   std::string text = opening("frames");
   for (const FrameLabel& frame : frames) {
-    if (frame.blobs > 0) text += grid(file, frame);
+    if (frame.particles > 0) text += grid(file, frame);
   }
   return text.append(ending);
 }

@@ -147,7 +147,7 @@ void check_together(const Document& document, const Scene& scene) {
 
 bool operator==(const Scene& a, const Scene& b) {
   const auto run = [](const Scene& s) {
-    return std::tie(s.title, s.seed, s.accuracy, s.flow, s.diffusion, s.body, s.plunge, s.cores,
+    return std::tie(s.title, s.seed, s.method, s.accuracy, s.flow, s.diffusion, s.body, s.plunge, s.cores,
                     s.splitting, s.merging, s.initial, s.time, s.velocity, s.output, s.check);
   };
   return run(a) == run(b);

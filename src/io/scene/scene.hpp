@@ -210,6 +210,8 @@ struct SceneDiffusion {
 struct Scene {
   std::string title{};
   std::int64_t seed = 1;
+  /// What computes the flow: see `vortree run --help`.
+  std::string method = "vortex";
   /// The error aimed at, by which keys that are not written are chosen: see choice.hpp.
   std::optional<double> accuracy{};
   SceneFlow flow{};

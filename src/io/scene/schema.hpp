@@ -220,6 +220,7 @@ template <Either<Scene> S, class Visit>
 void walk(S& scene, Visit& visit) {
   visit("title", scene.title, anything);
   visit("seed", scene.seed, not_negative);
+  visit("method", scene.method, anything);
   visit("accuracy", scene.accuracy,
         Rule{.low = 0, .high = 1, .above_low = true, .words = "it must lie between 0 and 1"});
   visit.table("flow", scene.flow, true);

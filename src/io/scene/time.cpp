@@ -24,6 +24,14 @@ bool met(double t, double dt) {
   return std::abs(steps - std::round(steps)) <= moment_slack;
 }
 
+long last_step(const SceneTime& time) {
+  return std::max(1L, std::lround(time.end / time.dt));
+}
+
+long nearest_step(double t, double dt, long last) {
+  return std::lround(std::min(t / dt, static_cast<double>(last) + 1));
+}
+
 double fitted_step(const Scene& scene, double dt) {
   const double end = scene.time.end;
   dt = std::max(dt, std::numeric_limits<double>::min());

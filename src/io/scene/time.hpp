@@ -16,6 +16,12 @@ inline constexpr double moment_slack = 1e-6;
 /// Whether a run with steps of dt comes to the time t.
 [[nodiscard]] bool met(double t, double dt);
 
+/// The last step of a run, 1 or more: the one nearest to time.end.
+[[nodiscard]] long last_step(const SceneTime& time);
+
+/// The moment next to t, as a step; one behind the last if it is later.
+[[nodiscard]] long nearest_step(double t, double dt, long last);
+
 /// The step for a scene that leaves it open, dt at most: the end is met, and of as many steps as
 /// that needs, or up to a fiftieth more, those are taken that meet most of the times of pictures
 /// and the interval of frames. A step that meets the end as it is stays, unless it can meet more.

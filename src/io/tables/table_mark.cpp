@@ -1,11 +1,8 @@
 #include "io/tables/table_mark.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "io/frames/checksum.hpp"
-#include "io/tables/table.hpp"
 
 namespace vortree::io {
 namespace {
@@ -49,34 +46,6 @@ bool begins_with(std::string_view text, const TableMark& mark) {
     text.remove_prefix(line.size() + 1);
   }
   return found == mark;
-}
-
-TableMark counted(const std::filesystem::path& file, std::string_view text,
-                  std::span<const double> expected) {
-  TableMark mark;
-  const auto cells = [](std::string_view line) { return std::ranges::count(line, ',') + 1; };
-  const std::string_view names = first_line(text);
-  for (std::size_t k = 0; k <= expected.size(); ++k) {
-    const std::size_t end = text.find('\n');
-    const std::string_view line = first_line(text);
-    const auto time = number(line.substr(0, line.find(',')));
-    const bool whole = end != std::string_view::npos && cells(line) == cells(names);
-    if (!whole || (k > 0 && time != expected[k - 1])) {
-      throw InputError(fmt::format(
-          "{}:{}: {}; {} was expected", file.string(), k + 1,
-          line.empty() ? "nothing" : fmt::format("\"{}\"", line.substr(0, 40)),
-          k == 0 ? "a line of names" : fmt::format("the row of t = {}", expected[k - 1])));
-    }
-    mark.add(line);
-    text.remove_prefix(end + 1);
-  }
-  const std::string_view next = first_line(text);
-  const auto later = number(next.substr(0, next.find(',')));
-  if (later && !expected.empty() && *later <= expected.back()) {
-    throw InputError(
-        fmt::format("{}:{}: a row of t = {} too many", file.string(), expected.size() + 2, *later));
-  }
-  return mark;
 }
 
 }  // namespace vortree::io

@@ -30,12 +30,4 @@ struct TableMark {
 /// Is the beginning of the text what the mark was made of?
 [[nodiscard]] bool begins_with(std::string_view text, const TableMark&);
 
-/// For tables of which nothing was kept: the mark of the rows that must be there.
-///
-/// expected  times of the rows, the first column; ascending, exact
-/// throws    InputError `file:line: ...` for a row that is missing, doubled, out of order or of
-///           another length than the line of names
-[[nodiscard]] TableMark counted(const std::filesystem::path& file, std::string_view text,
-                                std::span<const double> expected);
-
 }  // namespace vortree::io

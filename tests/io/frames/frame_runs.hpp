@@ -33,12 +33,12 @@ inline Frame frame_of(std::int64_t step, std::size_t blobs) {
   };
   return {.step = step,
           .time = 0.01 * static_cast<double>(step),
-          .x = draw(blobs),
-          .y = draw(blobs),
-          .gamma = draw(blobs),
-          .sigma = draw(blobs),
-          .u = draw(blobs),
-          .v = draw(blobs),
+          .columns = {{"x", "L", draw(blobs)},
+                      {"y", "L", draw(blobs)},
+                      {"gamma", "L^2/T", draw(blobs)},
+                      {"sigma", "L", draw(blobs)},
+                      {"u", "L/T", draw(blobs)},
+                      {"v", "L/T", draw(blobs)}},
           .state = {{"sheet", draw(5)}, {"nothing", {}}, {"kappa", {std::nan(""), -0.0}}}};
 }
 
@@ -52,8 +52,7 @@ inline bool same(const Frame& a, const Frame& b) {
     }
     return words;
   };
-  return a.step == b.step && a.time == b.time && a.x == b.x && a.y == b.y && a.gamma == b.gamma &&
-         a.sigma == b.sigma && a.u == b.u && a.v == b.v && bits(a) == bits(b);
+  return a.step == b.step && a.time == b.time && a.columns == b.columns && bits(a) == bits(b);
 }
 
 inline std::filesystem::path frames_in(const Sandbox& box) {
@@ -63,7 +62,7 @@ inline std::filesystem::path frames_in(const Sandbox& box) {
 /// Frames of steps 0, 25, 50, ... and how long the file was after each.
 inline std::vector<std::uintmax_t> write_run(const Sandbox& box, std::size_t frames,
                                              std::size_t blobs) {
-  io::create_frames(box.path(), info);
+  io::create_frames(box.path(), info, frame_of(0, 0).columns);
   std::vector<std::uintmax_t> ends;
   for (std::size_t k = 0; k < frames; ++k) {
     io::append_frame(box.path(), frame_of(25 * static_cast<std::int64_t>(k), blobs + 10 * k));

@@ -72,7 +72,7 @@ TEST_CASE("a frame that contradicts itself or the file is refused") {
   write_run(box, 2, 10);
   CHECK_THROWS_AS(append_frame(box.path(), frame_of(25, 10)), std::invalid_argument);
   Frame uneven = frame_of(50, 10);
-  uneven.sigma.pop_back();
+  uneven.columns[3].values.pop_back();
   CHECK_THROWS_AS(append_frame(box.path(), uneven), std::invalid_argument);
   CHECK(read_last_good(frames_in(box)).steps == std::vector<std::int64_t>{0, 25});
   CHECK_THROWS_WITH(append_frame(box / "none", frame_of(0, 1)),

@@ -6,8 +6,8 @@
 
 #include "io/frames/frames.hpp"
 #include "io/frames/hdf5.hpp"
-#include "io/tables/fields.hpp"
 #include "io/sandbox.hpp"
+#include "io/tables/fields.hpp"
 
 using namespace vortree::io;
 
@@ -80,13 +80,12 @@ Frame frame_of(std::int64_t step, std::size_t n) {
   const std::vector<double> v(n, 0.5);
   return {.step = step,
           .time = 0.1 * static_cast<double>(step),
-          .x = v,
-          .y = v,
-          .gamma = v,
-          .sigma = v,
-          .u = v,
-          .v = v,
-          .state = {}};
+          .columns = {{"x", "L", v},
+                      {"y", "L", v},
+                      {"gamma", "L^2/T", v},
+                      {"sigma", "L", v},
+                      {"u", "L/T", v},
+                      {"v", "L/T", v}}};
 }
 
 /// "5 3"; vertices are written "5 1", as one list.
@@ -171,15 +170,12 @@ TEST_CASE("the XDMF page shows every frame at its time, as points with scalars a
 TEST_CASE("what is drawn of a frame are its positions and velocities, in rows of three") {
   const Sandbox box;
   create_frames(box.path(), {});
-  append_frame(box.path(), {.step = 2,
-                            .time = 1,
-                            .x = {1, 2},
-                            .y = {3, 4},
-                            .gamma = {0, 0},
-                            .sigma = {1, 1},
-                            .u = {5, 6},
-                            .v = {7, 8},
-                            .state = {}});
+  append_frame(
+      box.path(),
+      {.step = 2,
+       .time = 1,
+       .columns = {
+           {"x", "L", {1, 2}}, {"y", "L", {3, 4}}, {"u", "L/T", {5, 6}}, {"v", "L/T", {7, 8}}}});
   const h5::Handle file = h5::open_file(box / "frames.h5");
   using Doubles = std::vector<double>;
   CHECK(h5::read(file, "frame_000002/view/points") == Doubles{1, 3, 0, 2, 4, 0});

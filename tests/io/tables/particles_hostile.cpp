@@ -5,9 +5,9 @@
 #include "io/frames/frames.hpp"
 #include "io/frames/hdf5.hpp"
 #include "io/frames/read.hpp"
+#include "io/sandbox.hpp"
 #include "io/tables/fields.hpp"
 #include "io/tables/particles.hpp"
-#include "io/sandbox.hpp"
 
 using namespace vortree::io;
 using Catch::Matchers::EndsWith;
@@ -211,15 +211,7 @@ TEST_CASE("of many or long names a few are told, in part") {
 
 TEST_CASE("a frame that leads into another file is a lost frame") {
   const Sandbox box;
-  const Frame frame{.step = 0,
-                    .time = 0,
-                    .x = three,
-                    .y = three,
-                    .gamma = three,
-                    .sigma = three,
-                    .u = three,
-                    .v = three,
-                    .state = {}};
+  const Frame frame{.step = 0, .time = 0, .columns = {{"x", "L", three}, {"y", "L", three}}};
   create_frames(box.path(), {});
   append_frame(box.path(), frame);
   std::filesystem::rename(box / "frames.h5", box / "other.h5");

@@ -3,16 +3,13 @@
 #include <deque>
 #include <string>
 
-#include "flow/flow_case.hpp"
-#include "io/frames/frames.hpp"
+#include "vortex/setup.hpp"
 
-namespace vortree::flow {
+namespace vortree::vortex {
 
 /// How many blobs there were after the steps of late, and how many there may be after the next.
 class Growth {
  public:
-  explicit Growth(const FlowCase& flow) : flow_(flow) {}
-
   /// After each step, and at the start.
   void add(std::size_t blobs);
 
@@ -23,24 +20,20 @@ class Growth {
   /// the children are too wide to merge. All the numbers as many times larger as the merging
   /// tolerance leaves more blobs than usual. Never more than the machine's memory holds, or 2e7,
   /// minutes a step.
-  std::size_t most(double time) const;
+  std::size_t most(double time, const Setup& setup) const;
 
  private:
-  const FlowCase& flow_;
   std::deque<std::size_t> counts_;  // six at most, the oldest first
 };
 
 /// Why a run cannot go on with so many, in words.
-std::string multiplied(std::size_t blobs, std::size_t before, const FlowCase& flow);
+std::string multiplied(std::size_t blobs, std::size_t before, const Setup& setup);
 
 /// Why a run cannot go on from these blobs, in words, or nothing:
 ///
 /// - a number that is not finite
 /// - beside a body, sum |gamma| beyond 100 U D (and more for each ten diameters of way). An
 ///   impulsive start has 4 U D, and a wake gains less than 1 U D a diameter
-std::string broken(const vortex::Blobs& blobs, const FlowCase& flow, double time);
+std::string broken(const Blobs& blobs, const Setup& setup, double time);
 
-/// Which column of a frame has a number that is not finite, in words, or nothing.
-std::string not_finite(const io::Frame& frame);
-
-}  // namespace vortree::flow
+}  // namespace vortree::vortex

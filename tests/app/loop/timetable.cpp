@@ -1,8 +1,9 @@
-#include "flow/timetable.hpp"
+#include "app/loop/timetable.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "app/program.hpp"
+#include "checks/warnings_of_times.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
@@ -34,7 +35,7 @@ io::Scene scene(std::vector<std::string> overrides = {}, bool pictures = false) 
 }
 
 std::vector<long> frames_of(const io::Scene& scene) {
-  const flow::Timetable table(scene);
+  const app::Timetable table(scene);
   std::vector<long> steps;
   for (long step = 0; step <= table.last_step(); ++step)
     if (table.frame_due(step)) steps.push_back(step);
@@ -46,10 +47,10 @@ using Words = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("a run ends at the step nearest to its end, and makes one at least") {
-  CHECK(flow::Timetable(scene()).last_step() == 5);
-  CHECK(flow::Timetable(scene({"time.end=0.19"})).last_step() == 5);
-  CHECK(flow::Timetable(scene({"time.end=0.17"})).last_step() == 4);
-  CHECK(flow::Timetable(scene({"time.end=0.04"})).last_step() == 1);
+  CHECK(app::Timetable(scene()).last_step() == 5);
+  CHECK(app::Timetable(scene({"time.end=0.19"})).last_step() == 5);
+  CHECK(app::Timetable(scene({"time.end=0.17"})).last_step() == 4);
+  CHECK(app::Timetable(scene({"time.end=0.04"})).last_step() == 1);
 }
 
 TEST_CASE(
@@ -63,22 +64,22 @@ TEST_CASE(
 }
 
 TEST_CASE("a picture is that of the nearest step, and none beyond the end") {
-  const flow::Timetable table(scene({"output.fields=[0.05,0.2,1e300]"}, true));
+  const app::Timetable table(scene({"output.fields=[0.05,0.2,1e300]"}, true));
   CHECK(table.field_due(1));
   CHECK(table.field_due(5));
   for (const long step : {0, 2, 3, 4}) CHECK_FALSE(table.field_due(step));
 }
 
 TEST_CASE("times that are met raise no doubt; others are named with what comes instead") {
-  CHECK(flow::warnings_of_times(scene({"output.fields=[0.04,0.2]"}, true)).empty());
-  CHECK(flow::warnings_of_times(scene({"output.frames=1e9"})).empty());
-  CHECK(flow::warnings_of_times(scene({"time.end=0.1"})) ==
+  CHECK(checks::warnings_of_times(scene({"output.fields=[0.04,0.2]"}, true)).empty());
+  CHECK(checks::warnings_of_times(scene({"output.frames=1e9"})).empty());
+  CHECK(checks::warnings_of_times(scene({"time.end=0.1"})) ==
         Words{"time.end = 0.1 is no multiple of time.dt = 0.04: the run ends at t = 0.12; "
               "time.dt = 0.0333333333 meets it"});
-  CHECK(flow::warnings_of_times(scene({"output.frames=0.05"})) ==
+  CHECK(checks::warnings_of_times(scene({"output.frames=0.05"})) ==
         Words{"output.frames = 0.05 is no multiple of time.dt = 0.04: each frame is that of the "
               "nearest step, up to 0.02 off"});
-  CHECK(flow::warnings_of_times(scene({"output.fields=[0.05,0.2,0.3,0.11,7]"}, true)) ==
+  CHECK(checks::warnings_of_times(scene({"output.fields=[0.05,0.2,0.3,0.11,7]"}, true)) ==
         Words{"output.fields that are no multiples of time.dt = 0.04 are drawn, and named, at the "
               "nearest step: 0.05 at t = 0.04, 0.11 at t = 0.12",
               "output.fields = 0.3, 7: beyond the end, t = 0.2; no picture"});

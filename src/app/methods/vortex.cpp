@@ -1,13 +1,15 @@
-#include "flow/flow_case.hpp"
+#include "app/methods/vortex.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "body/outline.hpp"
+#include "checks/cost.hpp"
 #include "io/scene/scales.hpp"
 #include "vortex/blobs/lattice.hpp"
+#include "vortex/solver.hpp"
 
-namespace vortree::flow {
+namespace vortree::app {
 namespace {
 
 /// Blobs of less circulation beside a body are let go [U D]. In a run they add up to less than the
@@ -78,7 +80,7 @@ std::optional<vortex::Box> box_of(const io::SceneMerging& merging) {
   return vortex::Box{{x0, y0}, {x1, y1}};
 }
 
-Origin origin_of(const io::Scene& scene) {
+vortex::Origin origin_of(const io::Scene& scene) {
   if (scene.body) return {vec(scene.body->centre)};
   return {scene.initial ? vec(scene.initial->centre) : Vec2{}, vec(scene.flow.stream)};
 }
@@ -96,59 +98,7 @@ vortex::Blobs two_vortices(vortex::Lattice lattice, const io::SceneInitial& i, d
   return both;
 }
 
-}  // namespace
-
-FlowCase flow_case(const io::Scene& scene) {
-  FlowCase made;
-  if (scene.body) {
-    made.wall = std::make_unique<vortex::Wall>(shape_of(*scene.body), scene.body->panels);
-    made.diameter = io::length_of(*scene.body);
-  }
-  if (const double speed = io::speed_of(scene); speed > 0) made.speed = speed;
-  if (std::hypot(scene.flow.stream[0], scene.flow.stream[1]) > 0)
-    made.along = unit(scene.flow.stream);
-  else if (scene.plunge)
-    made.along = unit(scene.plunge->direction);
-  made.origin = origin_of(scene);
-  made.box = box_of(scene.merging);
-  made.problem = {
-      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu,
-               scene.plunge ? plunge_of(*scene.plunge) : body::Plunge{}},
-      .dt = scene.time.dt,
-      .scheme =
-          scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4 : vortex::Scheme::rk2,
-      .carrying_cores = scene.velocity.cores == io::PairCores::both ? std::numbers::sqrt2 : 1,
-      .sigma_0 = scene.cores.sigma_0,
-      .diffusion = diffusion_of(scene.diffusion.kind),
-      .area = scene.initial ? std::pow(scene.initial->spacing * scene.cores.sigma_0, 2) : 0,
-      .splitting = {.sigma_max = scene.cores.sigma_max,
-                    .alpha = scene.splitting.alpha,
-                    .children = scene.splitting.children,
-                    .seed = static_cast<std::uint64_t>(scene.seed),
-                    .coarsening = {scene.cores.coarsen_from.value_or(INFINITY)}},
-      .merging = {.tolerance = scene.merging.tolerance,
-                  .reach = scene.merging.reach,
-                  .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
-      .faintest = made.wall ? faintest * made.speed * made.diameter : 0,
-      .wall = made.wall.get(),
-      .sums = sums_of(scene.velocity),
-  };
-  made.crowding = io::crowding(scene);
-  made.splits_endlessly = io::splits_endlessly(scene);
-  made.step_to(0);
-  return made;
-}
-
-void FlowCase::step_to(double time) {
-  if (box) problem.box = vortex::Box{box->low - origin.at(time), box->high - origin.at(time)};
-}
-
-std::vector<double> moved(std::vector<double> column, double by) {
-  if (by != 0)
-    for (double& value : column) value += by;
-  return column;
-}
-
+/// The vorticity at t = 0, as seen from the flow's origin.
 vortex::Blobs initial_blobs(const io::Scene& scene) {
   if (!scene.initial) return {};
   const io::SceneInitial& i = *scene.initial;
@@ -171,4 +121,48 @@ vortex::Blobs initial_blobs(const io::Scene& scene) {
   return vortex::gaussian_ellipse(lattice, i.circulation, i.core, i.core);
 }
 
-}  // namespace vortree::flow
+}  // namespace
+
+vortex::Setup vortex_setup(const io::Scene& scene, const flow::Scales& scales) {
+  vortex::Setup made;
+  if (scene.body)
+    made.wall = std::make_unique<vortex::Wall>(shape_of(*scene.body), scene.body->panels);
+  made.blobs = initial_blobs(scene);
+  made.scales = scales;
+  made.origin = origin_of(scene);
+  made.box = box_of(scene.merging);
+  made.problem = {
+      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu,
+               scene.plunge ? plunge_of(*scene.plunge) : body::Plunge{}},
+      .dt = scene.time.dt,
+      .scheme =
+          scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4 : vortex::Scheme::rk2,
+      .carrying_cores = scene.velocity.cores == io::PairCores::both ? std::numbers::sqrt2 : 1,
+      .sigma_0 = scene.cores.sigma_0,
+      .diffusion = diffusion_of(scene.diffusion.kind),
+      .area = scene.initial ? std::pow(scene.initial->spacing * scene.cores.sigma_0, 2) : 0,
+      .splitting = {.sigma_max = scene.cores.sigma_max,
+                    .alpha = scene.splitting.alpha,
+                    .children = scene.splitting.children,
+                    .seed = static_cast<std::uint64_t>(scene.seed),
+                    .coarsening = {scene.cores.coarsen_from.value_or(INFINITY)}},
+      .merging = {.tolerance = scene.merging.tolerance,
+                  .reach = scene.merging.reach,
+                  .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
+      .faintest = made.wall ? faintest * scales.speed * scales.length : 0,
+      .wall = made.wall.get(),
+      .sums = sums_of(scene.velocity),
+  };
+  made.crowding = io::crowding(scene);
+  made.splits_endlessly = io::splits_endlessly(scene);
+  return made;
+}
+
+std::unique_ptr<flow::Solver> vortex_solver(const io::Scene& scene, const flow::Scales& scales,
+                                            double memory) {
+  vortex::Setup setup = vortex_setup(scene, scales);
+  setup.held_blobs = checks::blobs_in(memory);
+  return std::make_unique<vortex::Solver>(std::move(setup));
+}
+
+}  // namespace vortree::app

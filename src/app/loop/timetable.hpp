@@ -4,7 +4,7 @@
 
 #include "io/scene/scene.hpp"
 
-namespace vortree::flow {
+namespace vortree::app {
 
 /// When a run does what: times are moments k dt, and what a scene asks for at any other time is
 /// done at the nearest.
@@ -24,8 +24,4 @@ class Timetable {
   std::vector<long> fields_;
 };
 
-/// A sentence for each time that a scene asks for and a run does not meet: time.end, frames and
-/// pictures that are no multiple of time.dt, with what comes instead, and pictures beyond the end.
-std::vector<std::string> warnings_of_times(const io::Scene& scene);
-
-}  // namespace vortree::flow
+}  // namespace vortree::app

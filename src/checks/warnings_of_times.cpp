@@ -1,44 +1,18 @@
-#include "flow/timetable.hpp"
+#include "checks/warnings_of_times.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "io/scene/time.hpp"
 
-namespace vortree::flow {
-namespace {
-
-/// The moment next to t, as a step; one behind the last if it is later.
-long nearest_step(double t, double dt, long last) {
-  return std::lround(std::min(t / dt, static_cast<double>(last) + 1));
-}
-
-}  // namespace
-
-Timetable::Timetable(const io::Scene& scene)
-    : dt_(scene.time.dt),
-      frames_(scene.output.frames / scene.time.dt),
-      last_(std::max(1L, std::lround(scene.time.end / scene.time.dt))) {
-  for (const double t : scene.output.fields) fields_.push_back(nearest_step(t, dt_, last_));
-}
-
-bool Timetable::frame_due(long step) const {
-  if (step == last_) return true;
-  const double count = std::round(static_cast<double>(step) / frames_);
-  return std::round(count * frames_) == static_cast<double>(step);
-}
-
-bool Timetable::field_due(long step) const {
-  return std::ranges::find(fields_, step) != fields_.end();
-}
+namespace vortree::checks {
 
 std::vector<std::string> warnings_of_times(const io::Scene& scene) {
   std::vector<std::string> list;
-  const Timetable table(scene);
-  const double dt = scene.time.dt, end = scene.time.end, comes = table.time(table.last_step());
+  const long last = io::last_step(scene.time);
+  const double dt = scene.time.dt, end = scene.time.end, comes = static_cast<double>(last) * dt;
   if (!io::met(end, dt))
     list.push_back(fmt::format(
         "time.end = {:.9g} is no multiple of time.dt = {:.9g}: the run ends at t = {:.9g}; "
@@ -51,11 +25,11 @@ std::vector<std::string> warnings_of_times(const io::Scene& scene) {
         scene.output.frames, dt, dt / 2));
   std::vector<std::string> moved, beyond;
   for (const double t : scene.output.fields) {
-    const long step = nearest_step(t, dt, table.last_step());
-    if (step > table.last_step())
+    const long step = io::nearest_step(t, dt, last);
+    if (step > last)
       beyond.push_back(fmt::format("{:.9g}", t));
     else if (!io::met(t, dt))
-      moved.push_back(fmt::format("{:.9g} at t = {:.9g}", t, table.time(step)));
+      moved.push_back(fmt::format("{:.9g} at t = {:.9g}", t, static_cast<double>(step) * dt));
   }
   if (!moved.empty())
     list.push_back(
@@ -68,4 +42,4 @@ std::vector<std::string> warnings_of_times(const io::Scene& scene) {
   return list;
 }
 
-}  // namespace vortree::flow
+}  // namespace vortree::checks

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "flow/solver.hpp"
+#include "io/scene/scene.hpp"
+#include "io/tables/fields.hpp"
+
+namespace vortree::app {
+
+/// Velocity and vorticity on the grid of the scene's [output] window; both 0 within a body.
+io::Field picture(const flow::Solver& solver, const io::SceneOutput& output);
+
+}  // namespace vortree::app

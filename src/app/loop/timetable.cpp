@@ -1,0 +1,27 @@
+#include "app/loop/timetable.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/scene/time.hpp"
+
+namespace vortree::app {
+
+Timetable::Timetable(const io::Scene& scene)
+    : dt_(scene.time.dt),
+      frames_(scene.output.frames / scene.time.dt),
+      last_(io::last_step(scene.time)) {
+  for (const double t : scene.output.fields) fields_.push_back(io::nearest_step(t, dt_, last_));
+}
+
+bool Timetable::frame_due(long step) const {
+  if (step == last_) return true;
+  const double count = std::round(static_cast<double>(step) / frames_);
+  return std::round(count * frames_) == static_cast<double>(step);
+}
+
+bool Timetable::field_due(long step) const {
+  return std::ranges::find(fields_, step) != fields_.end();
+}
+
+}  // namespace vortree::app

@@ -1,0 +1,46 @@
+#include "app/methods/methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/methods/vortex.hpp"
+#include "io/input_error.hpp"
+#include "io/quote.hpp"
+#include "io/suggestion.hpp"
+
+namespace vortree::app {
+
+std::span<const Method> methods() {
+  static const Method all[] = {{"vortex", vortex_solver}};
+  return all;
+}
+
+const Method& method_of(const io::Scene& scene, std::span<const Method> among) {
+  const auto found = std::ranges::find(among, scene.method, &Method::name);
+  if (found != among.end()) return *found;
+  std::vector<std::string_view> known;
+  for (const Method& one : among) known.push_back(one.name);
+  throw io::InputError(fmt::format("{}: method is {}; known: {}", scene.origin.path.string(),
+                                   io::quote(io::shortened(scene.method, 60)), io::listed(known)));
+}
+
+flow::Scales scales_of(const io::Scene& scene) {
+  flow::Scales scales;
+  scales.body = scene.body.has_value();
+  if (scene.body) scales.length = io::length_of(*scene.body);
+  if (const double speed = io::speed_of(scene); speed > 0) scales.speed = speed;
+  const auto unit = [](const io::Vec2& a) {
+    return (1 / std::hypot(a[0], a[1])) * Vec2{a[0], a[1]};
+  };
+  const bool stream = std::hypot(scene.flow.stream[0], scene.flow.stream[1]) > 0;
+  if (stream)
+    scales.along = unit(scene.flow.stream);
+  else if (scene.plunge)
+    scales.along = unit(scene.plunge->direction);
+  scales.impulsive = stream;
+  return scales;
+}
+
+}  // namespace vortree::app

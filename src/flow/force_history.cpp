@@ -1,0 +1,96 @@
+#include "flow/force_history.hpp"
+
+#include <span>
+#include <utility>
+
+#include "base/rate_of_change.hpp"
+
+namespace vortree::flow {
+namespace {
+
+/// Times, the fluid's impulse and what the pressure has given a body since the first of some
+/// forces.
+struct Course {
+  std::vector<double> t;
+  std::vector<Vec2> impulses, given;
+};
+
+Course course_of(std::span<const Force> forces) {
+  Course course;
+  for (const Force& f : forces) {
+    course.given.push_back(
+        course.t.empty() ? Vec2{} : course.given.back() + (f.t - course.t.back()) * f.pressure);
+    course.t.push_back(f.t);
+    course.impulses.push_back(f.impulse);
+  }
+  return course;
+}
+
+Measures coefficients(Vec2 by_impulse, Vec2 by_wall, const Scales& scales) {
+  const double unit = scales.of_force();
+  return {{"cd_impulse", "", unit * dot(by_impulse, scales.along)},
+          {"cd_wall", "", unit * dot(by_wall, scales.along)},
+          {"cl_impulse", "", unit * dot(by_impulse, scales.across())},
+          {"cl_wall", "", unit * dot(by_wall, scales.across())}};
+}
+
+Measures coefficients(const Force& at, const Course& course, const RateOfChange& rate,
+                      const Scales& scales) {
+  return coefficients(-1 * rate(course.impulses) + at.frame,
+                      rate(course.given) + at.friction + at.frame, scales);
+}
+
+/// Every number of a force with its name in a saved state.
+constexpr std::pair<const char*, double& (*)(Force&)> numbers[] = {
+    {"force t", [](Force& f) -> double& { return f.t; }},
+    {"force impulse_x", [](Force& f) -> double& { return f.impulse.x; }},
+    {"force impulse_y", [](Force& f) -> double& { return f.impulse.y; }},
+    {"force pressure_x", [](Force& f) -> double& { return f.pressure.x; }},
+    {"force pressure_y", [](Force& f) -> double& { return f.pressure.y; }},
+    {"force friction_x", [](Force& f) -> double& { return f.friction.x; }},
+    {"force friction_y", [](Force& f) -> double& { return f.friction.y; }},
+    {"force frame_x", [](Force& f) -> double& { return f.frame.x; }},
+    {"force frame_y", [](Force& f) -> double& { return f.frame.y; }},
+};
+
+}  // namespace
+
+void ForceHistory::add(const Force& force) {
+  recent_.push_back(force);
+  if (recent_.size() > most) recent_.erase(recent_.begin());
+}
+
+Measures ForceHistory::of_last_but_one() const {
+  const auto three = std::span(recent_).last(3);
+  return coefficients(three[1], course_of(three),
+                      RateOfChange::in_the_middle(three[0].t, three[1].t, three[2].t), scales_);
+}
+
+Measures ForceHistory::of_last() const {
+  const Course course = course_of(recent_);
+  return coefficients(recent_.back(), course, RateOfChange::at_the_end(course.t, scales_.impulsive),
+                      scales_);
+}
+
+Measures ForceHistory::none() {
+  return coefficients({}, {}, {});
+}
+
+void ForceHistory::save(State& state) const {
+  std::vector<Force> forces = recent_;
+  for (const auto& [name, number] : numbers) {
+    std::vector<double>& values = state[name];
+    values.clear();
+    for (Force& force : forces) values.push_back(number(force));
+  }
+}
+
+void ForceHistory::restore(const State& state) {
+  recent_.assign(saved(state, numbers[0].first).size(), {});
+  for (const auto& [name, number] : numbers) {
+    const std::vector<double>& values = saved(state, name);
+    for (std::size_t k = 0; k < recent_.size(); ++k) number(recent_[k]) = values.at(k);
+  }
+}
+
+}  // namespace vortree::flow

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flow/columns.hpp"
+#include "flow/force_history.hpp"
+#include "flow/measures.hpp"
+#include "tree/order/points.hpp"
+
+namespace vortree::flow {
+
+/// More particles are followed nowhere: a step takes minutes.
+inline constexpr std::size_t most_particles = 20'000'000;
+
+/// Called with the name of each phase as it begins, for whoever keeps the time;
+/// "output" for what is measured at its end.
+using Phase = std::function<void(std::string_view name)>;
+
+/// Why a flow cannot go on, in words for the user.
+struct Diverged : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A flow at some points: velocity [L/T] and vorticity [1/T], a value a point.
+struct Samples {
+  std::vector<double> u, v, omega;
+};
+
+/// A table of its own that a method keeps beside report.csv: some rows with every frame.
+struct FrameTable {
+  std::string name;
+  std::vector<std::string> columns;
+};
+
+/// What a method says of a run that has ended: numbers for summary.json (a dot in a name parts table
+/// and key), and a line for the user or none.
+struct Closing {
+  Measures numbers;
+  std::string words;
+};
+
+/// A method at work on a flow: particles, and how they move. Whatever a flow has no matter what
+/// moves it (time loop, frames, report, coefficients, pictures, checks) stands outside and knows no
+/// more of a method than this.
+///
+/// Made with the flow at t = 0. Positions and velocities that go in and out are those of the scene.
+class Solver {
+ public:
+  Solver() = default;
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  virtual ~Solver() = default;
+
+  /// What one particle is called, and the phases of a step.
+  virtual std::string particle() const = 0;
+  virtual std::vector<std::string> phases() const = 0;
+
+  /// One step of dt.
+  /// throws  Diverged with a reason; the flow then is what it was before the step
+  virtual void step(const Phase& phase) = 0;
+
+  virtual long steps() const = 0;   ///< done so far
+  virtual double time() const = 0;  ///< steps dt [T]
+  virtual std::size_t particles() const = 0;
+
+  /// The particles as frames show them; x and y among them, u and v if they have velocities.
+  virtual Columns columns() const = 0;
+
+  /// What is measured after each step. Names and order never change on the way.
+  virtual Measures measures() const = 0;
+
+  /// What the body feels; none without one.
+  virtual std::optional<Force> force() const = 0;
+
+  /// Largest relative change so far of what the flow should keep.
+  virtual double drift() const = 0;
+
+  /// Velocity and vorticity at points; both 0 within a body.
+  virtual Samples sample(tree::Points at) const = 0;
+
+  virtual FrameTable frame_table() const = 0;
+  virtual std::vector<double> frame_rows() const = 0;  ///< of the flow as it is, one after another
+
+  virtual Closing closing() const { return {}; }
+
+  /// What `restore` needs beside the columns, to go on to the same bits.
+  virtual void save(State& state) const = 0;
+
+  /// The flow after `steps` steps. throws std::out_of_range with the name of what is missing
+  virtual void restore(long steps, const Columns& columns, const State& state) = 0;
+};
+
+/// Which column has a number that is not finite, in words, or nothing.
+std::string not_finite(const Columns& columns, std::string_view particle);
+
+}  // namespace vortree::flow

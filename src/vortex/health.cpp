@@ -1,0 +1,72 @@
+#include "vortex/health.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/rounded.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+constexpr std::size_t many_blobs = 20'000, many_of_late = 5000, many_a_panel = 100;
+constexpr double most_vorticity = 100;  // of both signs, in U D
+
+}  // namespace
+
+void Growth::add(std::size_t blobs) {
+  counts_.push_back(blobs);
+  if (counts_.size() > 6) counts_.pop_front();
+}
+
+std::size_t Growth::most(double time, const Setup& setup) const {
+  const Problem& p = setup.problem;
+  const auto times = [&](double usual) { return static_cast<std::size_t>(setup.crowding * usual); };
+  const std::size_t ceiling = std::min(flow::most_particles, setup.held_blobs),
+                    many = times(many_blobs), before = counts_.back(),
+                    split = p.splitting.children * before;
+  if (!setup.wall && !setup.splits_endlessly)
+    return std::min(ceiling, std::max(many, p.splitting.children * split));
+  if (p.merging.tolerance == 0)  // asked for
+    return std::min(ceiling, std::max(many_blobs, split));
+  if (setup.wall && time < 10.5 * p.dt)
+    return std::min(ceiling,
+                    std::max(many, 3 * before + times(many_a_panel * setup.wall->panels())));
+  const bool settled = counts_.size() == 6 && !(setup.wall && time < 12.5 * p.dt);
+  const std::size_t soon = std::max(many, 3 * before),
+                    later = settled ? std::max(times(many_of_late), 3 * counts_.front()) : soon;
+  return std::min({ceiling, soon, later});
+}
+
+std::string multiplied(std::size_t blobs, std::size_t before, const Setup& setup) {
+  const std::string counts =
+      std::to_string(blobs) + " blobs after " + std::to_string(before) + ": ";
+  if (blobs > setup.held_blobs)
+    return counts + "the machine's memory holds " + std::to_string(setup.held_blobs);
+  if (setup.problem.merging.tolerance == 0)
+    return counts + "they split and never merge; merging.tolerance above 0 keeps them few";
+  return counts + "they multiply faster than they merge" +
+         (setup.splits_endlessly
+              ? ", since a step widens them by more than splitting makes up for; larger "
+                "cores.sigma_max or smaller time.dt"
+              : "; larger merging.tolerance or merging.reach, or smaller time.dt");
+}
+
+std::string broken(const Blobs& blobs, const Setup& setup, double time) {
+  double strength = 0;
+  for (std::size_t i = 0; i < blobs.size(); ++i) {
+    if (!std::isfinite(blobs.x[i] + blobs.y[i] + blobs.gamma[i] + blobs.sigma[i]))
+      return "blob " + std::to_string(i) + " of " + std::to_string(blobs.size()) +
+             " is no longer finite";
+    strength += std::abs(blobs.gamma[i]);
+  }
+  if (!setup.wall) return "";
+  const double length = setup.scales.length, speed = setup.scales.speed;
+  const double unit = speed * length, way = speed * time / length;
+  if (strength > most_vorticity * unit * std::max(1.0, way / 10))
+    return "the vorticity of both signs has grown to " + rounded(strength / unit, 3) +
+           " U D, which no flow of this kind has: time step, cores or panels are too coarse";
+  return "";
+}
+
+}  // namespace vortree::vortex

@@ -1,0 +1,255 @@
+#include "vortex/solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/rounded.hpp"
+#include "vortex/blobs/energy.hpp"
+#include "vortex/blobs/moments.hpp"
+#include "vortex/wall/near_wake.hpp"
+#include "vortex/wall/vorticity.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+constexpr std::size_t most_for_energy = 20000;
+
+std::vector<double> moved(std::vector<double> column, double by) {
+  if (by != 0)
+    for (double& value : column) value += by;
+  return column;
+}
+
+double strength(const Blobs& blobs) {
+  double sum = 0;
+  for (const double gamma : blobs.gamma) sum += std::abs(gamma);
+  return sum;
+}
+
+/// Columns of the blobs that a frame does not show.
+constexpr std::pair<const char*, std::vector<double> Blobs::*> hidden[] = {
+    {"covariance_xx", &Blobs::xx}, {"covariance_xy", &Blobs::xy}};
+
+/// Numbers of what has left, with their names in a saved state.
+constexpr std::pair<const char*, double& (*)(Retired&)> of_retired[] = {
+    {"retired circulation", [](Retired& r) -> double& { return r.gamma; }},
+    {"retired moment_x", [](Retired& r) -> double& { return r.moment.x; }},
+    {"retired moment_y", [](Retired& r) -> double& { return r.moment.y; }},
+    {"retired of_both_signs", [](Retired& r) -> double& { return r.of_both_signs; }}};
+
+/// Numbers of a wake, likewise.
+constexpr std::pair<const char*, double& (*)(Wake&)> of_wake[] = {
+    {"wake moment_x", [](Wake& w) -> double& { return w.moment.x; }},
+    {"wake moment_y", [](Wake& w) -> double& { return w.moment.y; }},
+    {"wake pressure_x", [](Wake& w) -> double& { return w.pressure.x; }},
+    {"wake pressure_y", [](Wake& w) -> double& { return w.pressure.y; }},
+    {"wake friction_x", [](Wake& w) -> double& { return w.friction.x; }},
+    {"wake friction_y", [](Wake& w) -> double& { return w.friction.y; }},
+    {"wake bubble_length", [](Wake& w) -> double& { return w.bubble_length; }}};
+
+void save_numbers(flow::State& state, const auto& numbers, auto of) {
+  for (const auto& [name, number] : numbers) state[name] = {number(of)};
+}
+
+void restore_numbers(const flow::State& state, const auto& numbers, auto& of) {
+  for (const auto& [name, number] : numbers) number(of) = flow::saved_number(state, name);
+}
+
+}  // namespace
+
+Solver::Solver(Setup setup) : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
+  setup_.problem.wall = wall();
+  take(start(blobs_, setup_.problem));
+  second_moment_at_start_ = flow::measured(measures_, "second_moment");
+  drift_ = drift_now();
+}
+
+/// What a step has left becomes the flow as it is.
+void Solver::take(Wake wake) {
+  wake_ = std::move(wake);
+  growth_.add(blobs_.size());
+  measures_ = measure();
+}
+
+void Solver::step(const flow::Phase& phase) {
+  const double later = time_of(steps_ + 1);
+  Problem& problem = setup_.problem;
+  const Vec2 origin = setup_.origin.at(later);
+  if (setup_.box) problem.box = Box{setup_.box->low - origin, setup_.box->high - origin};
+  problem.most_blobs = growth_.most(later, setup_);
+  Blobs before = blobs_;
+  const auto give_up = [&](const std::string& reason) {
+    blobs_ = std::move(before);
+    throw flow::Diverged(reason);
+  };
+  Wake wake;
+  try {
+    wake = vortex::step(blobs_, problem, static_cast<std::uint64_t>(steps_ + 1), phase);
+  } catch (const Multiplied& many) {
+    give_up(multiplied(many.blobs, before.size(), setup_));
+  } catch (const std::bad_alloc&) {
+    blobs_ = std::move(before);
+    throw;
+  } catch (const std::exception& refused) {
+    give_up(refused.what());
+  }
+  phase("output");
+  if (const std::string reason = broken(blobs_, setup_, later); !reason.empty()) give_up(reason);
+  ++steps_;
+  problem.retired = wake.retired;
+  problem.time = later;
+  take(std::move(wake));
+  drift_ = std::max(drift_, drift_now());
+}
+
+flow::Columns Solver::columns() const {
+  const Velocities u = velocity_at({blobs_.x, blobs_.y}, blobs_, setup_.problem);
+  const Vec2 from = origin(), drift = setup_.origin.drift;
+  return {{"x", "L", moved(blobs_.x, from.x)}, {"y", "L", moved(blobs_.y, from.y)},
+          {"gamma", "L^2/T", blobs_.gamma},    {"sigma", "L", blobs_.sigma},
+          {"u", "L/T", moved(u.u, drift.x)},   {"v", "L/T", moved(u.v, drift.y)}};
+}
+
+flow::Measures Solver::measure() const {
+  const Invariants now = invariants(blobs_, shape());
+  const double circulation = now.circulation + wake_.retired.gamma;
+  Vec2 moment = wall() ? wake_.moment : now.moment + wake_.retired.moment;
+  // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
+  const Vec2 from = wall() ? Vec2{} : origin();
+  if (dot(from, from) > 0) moment = moment + circulation * from;
+  const Form form = wall() ? Form{} : vortex::form(blobs_);
+  const Vec2 plus = wall() ? Vec2{} : form.positive_centre;
+  const bool moves = dot(from, from) > 0;
+  const Flow& flow = setup_.problem.flow;
+  const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && flow.plunge.frequency == 0;
+  return {
+      {"blobs", "", static_cast<double>(blobs_.size())},
+      {"circulation", "L^2/T", circulation},
+      {"impulse_x", "L^3/T", moment.y},
+      {"impulse_y", "L^3/T", -moment.x},
+      {"second_moment", "L^4/T", now.second},
+      {"bubble_length", "", wake ? wake_.bubble_length / setup_.scales.length : 0},
+      {"separation_deg", "deg",
+       wake ? separation_angle(wake_.wall_vorticity, *wall(), flow.stream) : 0},
+      {"quadrupole_xx", "L^4/T", form.quadrupole.x},
+      {"quadrupole_xy", "L^4/T", form.quadrupole.y},
+      {"separation", "L", form.separation},
+      {"circulation_plus", "L^2/T", form.positive},
+      {"plus_x", "L", moves ? plus.x + from.x : plus.x},
+      {"plus_y", "L", moves ? plus.y + from.y : plus.y},
+  };
+}
+
+std::optional<flow::Force> Solver::force() const {
+  if (!wall()) return std::nullopt;
+  const Vec2 moment = wake_.moment;
+  return flow::Force{.t = time(),
+                     .impulse = {moment.y, -moment.x},
+                     .pressure = wake_.pressure,
+                     .friction = wake_.friction,
+                     .frame = wall()->area() * setup_.problem.flow.plunge.acceleration(time())};
+}
+
+double Solver::drift_now() const {
+  const double circulation = flow::measured(measures_, "circulation");
+  if (wall()) return std::abs(circulation) / (setup_.scales.speed * setup_.scales.length);
+  const double grown = 4 * setup_.problem.flow.nu * time() * circulation;
+  const double expected = second_moment_at_start_ + grown;
+  return expected == 0 ? 0 : std::abs(flow::measured(measures_, "second_moment") / expected - 1);
+}
+
+flow::Samples Solver::sample(tree::Points at) const {
+  const Vec2 from = origin(), drift = setup_.origin.drift;
+  const std::vector<double> x = moved({at.x.begin(), at.x.end()}, -from.x),
+                            y = moved({at.y.begin(), at.y.end()}, -from.y);
+  Velocities u = velocity_at({x, y}, blobs_, setup_.problem);
+  std::vector<double> omega(x.size());
+  vorticity(blobs_, shape(), {x, y}, omega);
+  for (std::size_t k = 0; wall() && k < x.size(); ++k)
+    if (shape()->nearest({x[k], y[k]}).distance < 0) u.u[k] = u.v[k] = 0;
+  return {moved(std::move(u.u), drift.x), moved(std::move(u.v), drift.y), std::move(omega)};
+}
+
+flow::FrameTable Solver::frame_table() const {
+  if (wall()) return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "sheet"}};
+  return {"energy.csv", {"t", "energy", "enstrophy"}};
+}
+
+std::vector<double> Solver::frame_rows() const {
+  std::vector<double> rows;
+  const double t = time();
+  if (!wall()) {
+    if (blobs_.size() > most_for_energy) return {};
+    const Energy now = energy(blobs_);
+    return {t, now.energy, now.enstrophy};
+  }
+  if (steps_ == 0) return {};  // the wall vorticity of an impulsive start is infinite
+  const double T = setup_.scales.T(t);
+  const Vec2 s = setup_.scales.along;
+  for (std::size_t i = 0; i < wall()->panels(); ++i) {
+    const Vec2 d = wall()->middle(i);
+    const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
+    rows.insert(rows.end(), {t, T, angle, wake_.wall_vorticity[i], wake_.sheet[i]});
+  }
+  return rows;
+}
+
+/// Of all vorticity of both signs, what has left the box.
+double Solver::share_gone() const {
+  const double gone = setup_.problem.retired.of_both_signs;
+  return gone > 0 ? gone / (gone + strength(blobs_)) : 0;
+}
+
+flow::Closing Solver::closing() const {
+  if (!setup_.box) return {};
+  const Retired& gone = setup_.problem.retired;
+  return {{{"left_box.circulation", "L^2/T", gone.gamma},
+           {"left_box.of_both_signs", "L^2/T", gone.of_both_signs},
+           {"left_box.share", "", share_gone()}},
+          rounded(std::round(100 * share_gone()), 6) +
+              " % of the vorticity of both signs has left merging.box, " + rounded(gone.gamma, 3) +
+              " net"};
+}
+
+void Solver::save(flow::State& state) const {
+  if (const Vec2 from = origin(); dot(from, from) > 0) {
+    state["x_in_flow"] = blobs_.x;
+    state["y_in_flow"] = blobs_.y;
+  }
+  for (const auto& [name, column] : hidden) state[name] = blobs_.*column;
+  save_numbers(state, of_retired, setup_.problem.retired);
+  state["second_moment_at_start"] = {second_moment_at_start_};
+  state["largest_drift"] = {drift_};
+  if (!wall()) return;
+  save_numbers(state, of_wake, wake_);
+  state["sheet"] = wake_.sheet;
+  state["wall_vorticity"] = wake_.wall_vorticity;
+}
+
+void Solver::restore(long steps, const flow::Columns& columns, const flow::State& state) {
+  steps_ = steps;
+  Problem& problem = setup_.problem;
+  problem.time = time_of(steps);
+  const bool elsewhere = dot(origin(), origin()) > 0;
+  blobs_ = {elsewhere ? flow::saved(state, "x_in_flow") : flow::column(columns, "x"),
+            elsewhere ? flow::saved(state, "y_in_flow") : flow::column(columns, "y"),
+            flow::column(columns, "gamma"), flow::column(columns, "sigma")};
+  for (const auto& [name, column] : hidden) blobs_.*column = flow::saved(state, name);
+  restore_numbers(state, of_retired, problem.retired);
+  second_moment_at_start_ = flow::saved_number(state, "second_moment_at_start");
+  drift_ = flow::saved_number(state, "largest_drift");
+  wake_ = {};
+  wake_.retired = problem.retired;
+  if (wall()) {
+    restore_numbers(state, of_wake, wake_);
+    wake_.sheet = flow::saved(state, "sheet");
+    wake_.wall_vorticity = flow::saved(state, "wall_vorticity");
+  }
+  growth_ = {};
+  growth_.add(blobs_.size());
+  measures_ = measure();
+}
+
+}  // namespace vortree::vortex
