@@ -50,11 +50,12 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
 void check_invariants(std::vector<Verdict>& list, const io::Scene& scene,
                       const flow::Scales& scales, const HistoryRows& rows) {
   const io::SceneCheck& c = scene.check;
+  if (!c.circulation_max && !c.impulse_max && !c.second_moment_max) return;
   const Column gamma = rows.column("circulation"), x = rows.column("impulse_x"),
                y = rows.column("impulse_y"), second = rows.column("second_moment"),
                t = rows.column("t");
   const Column plus = rows.column("circulation_plus");
-  const double length = scales.body ? scales.length : scene.initial->core;
+  const double length = scales.body ? scales.length : scene.initial ? scene.initial->core : 1;
   double unit = scales.body ? scales.speed * scales.length : std::max(std::abs(gamma[0]), plus[0]);
   if (unit == 0) unit = 1;
   // Opposite vortices have none but what rounding leaves.

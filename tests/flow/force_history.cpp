@@ -36,8 +36,8 @@ struct Row {
 };
 
 // As a run asks for them: each when the one after it is known, the last at the end.
-std::vector<Row> rows_of(const std::vector<Force>& all, const flow::Scales& scales,
-                         ForceHistory history, std::size_t first = 0) {
+std::vector<Row> rows_of(const std::vector<Force>& all, ForceHistory history,
+                         std::size_t first = 0) {
   std::vector<Row> rows;
   for (std::size_t k = first; k < all.size(); ++k) {
     history.add(all[k]);
@@ -48,7 +48,7 @@ std::vector<Row> rows_of(const std::vector<Force>& all, const flow::Scales& scal
 }
 
 std::vector<Row> rows_of(const std::vector<Force>& all, const flow::Scales& scales = stream) {
-  return rows_of(all, scales, ForceHistory(scales));
+  return rows_of(all, ForceHistory(scales));
 }
 
 }  // namespace
@@ -139,7 +139,7 @@ TEST_CASE("a history that is saved and restored goes on to the same bits, wherev
     flow::State state;
     first.save(state);
     second.restore(state);
-    const auto rest = rows_of(list, stream, second, cut);
+    const auto rest = rows_of(list, second, cut);
     REQUIRE(rest.size() <= whole.size());
     for (std::size_t k = 0; k < rest.size(); ++k)
       CHECK(rest[k].of == whole[whole.size() - rest.size() + k].of);

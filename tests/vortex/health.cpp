@@ -6,7 +6,6 @@
 #include "body/shape.hpp"
 
 using namespace vortree;
-using namespace vortree::test;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -17,7 +16,8 @@ vortex::Setup cylinder() {
                                  .dt = 0.05,
                                  .sigma_0 = 0.05,
                                  .splitting = {.sigma_max = 0.1},
-                                 .merging = {.tolerance = 0.1}},
+                                 .merging = {.tolerance = 0.1, .sigma_max = 0.1},
+                                 .sums = {}},
                      .scales = {.body = true}};
   made.wall = std::make_unique<vortex::Wall>(body::circle({}, 0.5), 16);
   return made;
@@ -29,7 +29,8 @@ vortex::Setup free_space() {
                       .dt = 0.02,
                       .sigma_0 = 0.04,
                       .splitting = {.sigma_max = 0.05},
-                      .merging = {.tolerance = 0.02}}};
+                      .merging = {.tolerance = 0.02, .sigma_max = 0.05},
+                      .sums = {}}};
 }
 
 vortex::Blobs blobs(std::size_t n, double gamma = 1e-6) {

@@ -5,10 +5,8 @@
 #include <algorithm>
 
 #include "app/install_paths.hpp"
+#include "app/methods/methods.hpp"
 #include "app/say.hpp"
-#include "base/free_memory.hpp"
-#include "checks/cost.hpp"
-#include "checks/warnings.hpp"
 #include "io/quote.hpp"
 #include "io/scene/scene.hpp"
 
@@ -38,8 +36,7 @@ std::string list_cases() {
 
 std::string check(const std::string& scene, const std::vector<std::string>& overrides) {
   const io::Scene loaded = io::load_scene(find_scene(scene), overrides);
-  checks::refuse_beyond(loaded, machine_memory());
-  for (const std::string& doubt : checks::warnings(loaded)) say("warning: {}", doubt);
+  for (const std::string& doubt : warnings(loaded, methods())) say("warning: {}", doubt);
   return io::resolved(loaded);
 }
 

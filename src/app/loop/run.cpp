@@ -21,8 +21,6 @@
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
 #include "checks/checks.hpp"
-#include "checks/cost.hpp"
-#include "checks/warnings.hpp"
 #include "io/frames/frames.hpp"
 #include "io/json.hpp"
 #include "io/quote.hpp"
@@ -232,10 +230,10 @@ bool RunResult::passed() const {
 
 RunResult run(const RunOptions& options, std::span<const Method> among) {
   io::Scene scene = scene_of(options);
-  checks::refuse_beyond(scene, machine_memory());
+  const std::vector<std::string> doubts = warnings(scene, among);
   const OutputFolder folder(options.out);
   if (!options.resume && !options.overwrite) refuse_older_run(options.out);
-  for (const std::string& doubt : checks::warnings(scene)) say("warning: {}", doubt);
+  for (const std::string& doubt : doubts) say("warning: {}", doubt);
   Run run(std::move(scene), options, among);
   options.resume ? run.resume() : run.begin();
   return run.go();

@@ -6,6 +6,9 @@
 #include <cmath>
 
 #include "app/methods/vortex.hpp"
+#include "base/free_memory.hpp"
+#include "checks/cost.hpp"
+#include "checks/warnings.hpp"
 #include "io/input_error.hpp"
 #include "io/quote.hpp"
 #include "io/suggestion.hpp"
@@ -13,7 +16,7 @@
 namespace vortree::app {
 
 std::span<const Method> methods() {
-  static const Method all[] = {{"vortex", vortex_solver}};
+  static const Method all[] = {{std::string(io::vortices), vortex_solver, checks::refuse_beyond, checks::warnings}};
   return all;
 }
 
@@ -24,6 +27,12 @@ const Method& method_of(const io::Scene& scene, std::span<const Method> among) {
   for (const Method& one : among) known.push_back(one.name);
   throw io::InputError(fmt::format("{}: method is {}; known: {}", scene.origin.path.string(),
                                    io::quote(io::shortened(scene.method, 60)), io::listed(known)));
+}
+
+std::vector<std::string> warnings(const io::Scene& scene, std::span<const Method> among) {
+  const Method& method = method_of(scene, among);
+  if (method.refuse) method.refuse(scene, machine_memory());
+  return method.warnings ? method.warnings(scene) : std::vector<std::string>{};
 }
 
 flow::Scales scales_of(const io::Scene& scene) {

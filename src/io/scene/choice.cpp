@@ -125,8 +125,10 @@ void choose_missing(const Document& document, Scene& scene) {
                                          "initial vortex",
                                          table, key));
   };
-  require("cores", "sigma_0", scene.cores.sigma_0);
-  require("cores", "sigma_max", scene.cores.sigma_max);
+  if (by_vortices(scene)) {
+    require("cores", "sigma_0", scene.cores.sigma_0);
+    require("cores", "sigma_max", scene.cores.sigma_max);
+  }
   require("time", "dt", scene.time.dt);
 }
 

@@ -121,7 +121,7 @@ void check_together(const Document& document, const Scene& scene) {
                     fmt::format("diffusion.kind is {}; beside a body vorticity diffuses by "
                                 "core_spreading only",
                                 quote(word(scene.diffusion.kind))));
-  if (!scene.body && !scene.initial) {
+  if (by_vortices(scene) && !scene.body && !scene.initial) {
     document.refuse("", "a scene needs [body] or [initial]; without both there is no vorticity");
   }
   if (scene.check.exact &&
@@ -171,6 +171,10 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path,
 
 Scene load_scene(const std::filesystem::path& path, std::span<const std::string> overrides) {
   return parse_scene(read_text(path), path, overrides);
+}
+
+bool by_vortices(const Scene& scene) {
+  return scene.method == vortices;
 }
 
 double length_of(const SceneBody& body) {

@@ -206,12 +206,15 @@ struct SceneDiffusion {
   bool operator==(const SceneDiffusion&) const = default;
 };
 
+/// The method to which cores, splitting, merging, diffusion and velocity belong.
+inline constexpr std::string_view vortices = "vortex";
+
 /// One run, fully described. Every key of the TOML file is the member of the same name.
 struct Scene {
   std::string title{};
   std::int64_t seed = 1;
-  /// What computes the flow: see `vortree run --help`.
-  std::string method = "vortex";
+  /// What computes the flow, and reads the tables of its own.
+  std::string method{vortices};
   /// The error aimed at, by which keys that are not written are chosen: see choice.hpp.
   std::optional<double> accuracy{};
   SceneFlow flow{};
@@ -254,6 +257,9 @@ bool operator==(const Scene&, const Scene&);
 
 /// Where a reference file of [check] lies: relative to the folder of the scene file.
 [[nodiscard]] std::filesystem::path reference_path(const Scene&, std::string_view written);
+
+/// Whether the tables of the vortex method count.
+[[nodiscard]] bool by_vortices(const Scene&);
 
 /// The size of a body that coefficients and the Reynolds number go by: twice its radius, or its
 /// chord.

@@ -102,7 +102,7 @@ TEST_CASE("the table has gaps for what was not reached, for runs that failed and
                        .result = {.finished = true,
                                   .verdicts = {{"a_max", 0.5, a}, {"b_max", 0.5, {b}}},
                                   .steps = 5,
-                                  .most_blobs = 7,
+                                  .most_particles = 7,
                                   .seconds = 1}};
   };
   const checks::Reached late{.value = {}, .why = "the run ends at T = 1"};

@@ -3,7 +3,7 @@
 
 #include "app/program.hpp"
 #include "checks/warnings.hpp"
-#include "flow/scenes.hpp"
+#include "checks/scenes.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
