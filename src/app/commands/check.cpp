@@ -11,6 +11,7 @@
 #include "checks/warnings.hpp"
 #include "io/quote.hpp"
 #include "io/scene/scene.hpp"
+#include "io/scene/schema.hpp"
 
 namespace vortree::app {
 namespace {
@@ -41,6 +42,10 @@ std::string check(const std::string& scene, const std::vector<std::string>& over
   checks::refuse_beyond(loaded, machine_memory());
   for (const std::string& doubt : checks::warnings(loaded)) say("warning: {}", doubt);
   return io::resolved(loaded);
+}
+
+std::string keys() {
+  return io::page_of_keys();
 }
 
 }  // namespace vortree::app
