@@ -1,6 +1,6 @@
 #include <array>
-#include <cmath>
 #include <set>
+#include <sstream>
 
 #include "io/scene/schema.hpp"
 #include "scenes.hpp"
@@ -31,12 +31,12 @@ struct AllKeys {
 /// What is said of a number for a key; nothing if it may be so.
 std::string said_of(const std::string& name, const Key& key, double number) {
   const std::string text = plain + "[body]\nradius = 1\n[plunge]\namplitude = 1\nfrequency = 1\n";
-  std::ostringstream value;
-  value.precision(17);
-  value << number;
   const bool many = std::holds_alternative<std::vector<double>*>(key.target);
+  std::ostringstream override;
+  override.precision(17);
+  override << name << (many ? "=[" : "=") << number << (many ? "]" : "");
   try {
-    (void)parse(text, {name + "=" + (many ? "[" + value.str() + "]" : value.str())});
+    (void)parse(text, {override.str()});
     return "";
   } catch (const InputError& error) {
     return error.what();
