@@ -47,6 +47,7 @@ struct Words {
   std::string benched;
   std::string scene;
   std::vector<std::string> overrides;
+  bool keys = false;
   std::string folder;
   int threads = 0;
 };
@@ -102,8 +103,9 @@ void add_threads(CLI::App& command, Words& words) {
       ->type_name("N");
 }
 
-void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
-  command.add_option("SCENE", scene, "a TOML file, or the name of a case")->required();
+CLI::Option* add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
+  auto* wanted =
+      command.add_option("SCENE", scene, "a TOML file, or the name of a case")->required();
   command.add_option("key=value", overrides, "instead of what the scene says: table.key=value")
       ->check([](const std::string& word) {
         return word.find('=') == std::string::npos
@@ -111,6 +113,7 @@ void add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& 
                    : std::string();
       })
       ->type_name("");
+  return wanted;
 }
 
 void add_run(CLI::App& program, Words& words) {
@@ -132,7 +135,16 @@ void add_run(CLI::App& program, Words& words) {
 void add_check(CLI::App& program, Words& words) {
   auto& command =
       *program.add_subcommand("check", "read a scene, print it with every default written out");
-  add_scene(command, words.scene, words.overrides);
+  auto* scene = add_scene(command, words.scene, words.overrides);
+  command
+      .add_flag_callback(
+          "--keys",
+          [&words, scene] {
+            words.keys = true;
+            scene->required(false);
+          },
+          "print what keys a scene may have instead: default, unit, limits, what each is")
+      ->excludes(scene);
 }
 
 void add_velocity(CLI::App& program, Words& words) {
@@ -304,7 +316,8 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (words.threads > 0) omp_set_num_threads(words.threads);
   if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
   if (program.got_subcommand("cases")) tell("{}", list_cases());
-  if (program.got_subcommand("check")) tell("{}", check(words.scene, words.overrides));
+  if (program.got_subcommand("check"))
+    tell("{}", words.keys ? keys() : check(words.scene, words.overrides));
   if (program.got_subcommand("velocity")) return print_velocity(words.velocity);
   if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors).line());
   if (program.got_subcommand("bench")) {  // results in files

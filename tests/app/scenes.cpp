@@ -106,6 +106,20 @@ TEST_CASE("every scene that comes with the program is valid") {
   CHECK(scenes > 0);
 }
 
+TEST_CASE("the page of scenes holds the keys that the program prints, to the letter") {
+  const TemporaryFolder folder;
+  const auto keys = call("check --keys", folder);
+  CHECK(keys.code == 0);
+  CHECK(keys.err.empty());
+  CHECK(keys.out.find("\n| `check.plunge_from` | none |") != std::string::npos);
+  const std::string page = text_of(fs::path(vortree::app::share_folder()) / "cases/scenes.md");
+  const std::string before = "<!-- ./vortree check --keys -->\n", after = "<!-- end of keys -->";
+  const auto begin = page.find(before), end = page.find(after);
+  REQUIRE(begin != std::string::npos);
+  REQUIRE(end != std::string::npos);
+  CHECK(page.substr(begin + before.size(), end - begin - before.size()) == keys.out);
+}
+
 TEST_CASE("every run that a page of the project names is of a valid scene") {
   const TemporaryFolder folder;
   const fs::path root = vortree::app::share_folder();

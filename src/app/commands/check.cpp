@@ -9,6 +9,7 @@
 #include "app/say.hpp"
 #include "io/quote.hpp"
 #include "io/scene/scene.hpp"
+#include "io/scene/schema.hpp"
 
 namespace vortree::app {
 namespace {
@@ -38,6 +39,10 @@ std::string check(const std::string& scene, const std::vector<std::string>& over
   const io::Scene loaded = io::load_scene(find_scene(scene), overrides);
   for (const std::string& doubt : warnings(loaded, methods())) say("warning: {}", doubt);
   return io::resolved(loaded);
+}
+
+std::string keys() {
+  return io::page_of_keys();
 }
 
 }  // namespace vortree::app

@@ -13,4 +13,7 @@ std::string list_cases();
 /// to standard error. throws io::InputError if it is not valid
 std::string check(const std::string& scene, const std::vector<std::string>& overrides);
 
+/// All keys that a scene may have, as the table of Markdown that cases/scenes.md shows.
+std::string keys();
+
 }  // namespace vortree::app

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <string_view>
+
+#include "io/scene/schema.hpp"
 
 namespace vortree::io {
 namespace {
@@ -91,6 +94,132 @@ void check_asked(const Document& document, const Scene& scene) {
       document.refuse(
           key, fmt::format("{} is {}; that needs {}", key, *(scene.check.*need.asked), need.words));
     }
+}
+
+namespace {
+
+using Number = std::optional<double>;
+
+/// The largest or the mean deviation that is allowed.
+Key most(std::string_view name, Number& target, std::string_view says) {
+  return key(name, target, positive, "", says);
+}
+
+/// T = 2 U t/D beside a body, t in free space.
+Key from(std::string_view name, Number& target, std::string_view says) {
+  return key(name, target, not_negative, "", says);
+}
+
+Key file(std::string_view name, std::optional<std::string>& target, std::string_view says) {
+  return key(name, target, anything, "", says);
+}
+
+std::vector<Key> against_references(SceneCheck& c) {
+  return {file("drag_reference", c.drag_reference,
+               "CSV file of T and C_D, of L_over_D and sep_deg if they are checked; its place is "
+               "as seen from the scene's"),
+          most("drag_max", c.drag_max, "drag: largest deviation, relative"),
+          most("drag_rms", c.drag_rms, "drag: root mean square of the deviation, relative"),
+          from("drag_from", c.drag_from, "drag counts from this T = 2 U t/D on, 0 if not written"),
+          file("wall_vorticity_reference", c.wall_vorticity_reference,
+               "CSV file of T, theta_deg and omega_R_over_U"),
+          most("wall_vorticity_max", c.wall_vorticity_max,
+               "wall vorticity: largest relative L2 deviation along the wall of any time"),
+          most("wall_vorticity_rms", c.wall_vorticity_rms,
+               "wall vorticity: root mean square over the times of the same"),
+          from("wall_vorticity_from", c.wall_vorticity_from,
+               "wall vorticity counts from this T on, 0 if not written"),
+          most("bubble_max", c.bubble_max,
+               "length of the bubble behind the body: largest deviation, relative"),
+          from("bubble_from", c.bubble_from, "the bubble counts from this T on, 0 if not written"),
+          key("separation_max_deg", c.separation_max_deg, positive, "degrees",
+              "angle of separation: largest deviation"),
+          from("separation_from", c.separation_from,
+               "the angle counts from this T on, 0 if not written")};
+}
+
+std::vector<Key> of_forces(SceneCheck& c) {
+  return {
+      most("lift_max", c.lift_max, "largest lift coefficient by either route, as it is"),
+      most("routes_max", c.routes_max,
+           "drag by impulse against drag by the wall: largest deviation, relative; of a body "
+           "that plunges, to the largest drag"),
+      from("routes_from", c.routes_from, "the routes count from this T on, 0 if not written"),
+      most("lift_routes_max", c.lift_routes_max, "the same of lift, relative to the largest lift")};
+}
+
+std::vector<Key> of_free_space(SceneCheck& c) {
+  return {key("exact", c.exact,
+              "the answer known by heart that the initial vortex of this kind is held against"),
+          most("vorticity_max", c.vorticity_max,
+               "lamb_oseen, vorticity at the end: largest deviation, relative to that at the "
+               "centre"),
+          most("velocity_max", c.velocity_max,
+               "lamb_oseen, velocity at the end: largest deviation, relative to the fastest"),
+          most("second_moment_max", c.second_moment_max,
+               "second moment off what viscosity makes of it: largest deviation, relative to that "
+               "at the start"),
+          most("circulation_max", c.circulation_max,
+               "circulation off that at the start: largest deviation, relative; U D beside a body"),
+          most("impulse_max", c.impulse_max,
+               "impulse off that at the start and what the stream makes of it: largest deviation, "
+               "relative to circulation times core, or U D^2"),
+          file("moments_reference", c.moments_reference,
+               "CSV file of t and, as they are checked, quadrupole_xx, quadrupole_xy, separation"),
+          most("quadrupole_max", c.quadrupole_max,
+               "quadrupole off the reference: largest deviation, relative to its largest"),
+          most("separation_max", c.separation_max,
+               "distance of two vortices off the reference: largest deviation, relative to its "
+               "largest"),
+          most("rotation_max", c.rotation_max,
+               "kirchhoff_ellipse: deviation of the mean rate of turning, relative"),
+          most("speed_max", c.speed_max, "dipole: deviation of the distance travelled, relative"),
+          most("merger_max", c.merger_max,
+               "corotating_pair: core over separation when that has fallen by 1 %, off 0.22"),
+          most("energy_max", c.energy_max,
+               "energy off that at the start and what viscosity took: largest deviation, relative "
+               "to that at the start")};
+}
+
+std::vector<Key> of_shedding(SceneCheck& c) {
+  return {
+      key("strouhal", c.strouhal, positive, "",
+          "of a wake that sheds: the highest peak of the lift's spectrum, times D/U"),
+      most("strouhal_max", c.strouhal_max, "deviation from `check.strouhal`, relative"),
+      key("mean_drag", c.mean_drag, positive, "", "of a wake that sheds: mean drag by impulse"),
+      most("mean_drag_max", c.mean_drag_max, "deviation from `check.mean_drag`, relative"),
+      key("mean_lift", c.mean_lift, anything, "", "of a wake that sheds: mean lift by impulse"),
+      most("mean_lift_max", c.mean_lift_max,
+           "deviation from `check.mean_lift`, relative; as it is if that is 0"),
+      from("shedding_from", c.shedding_from, "the wake counts from this T on, 0 if not written")};
+}
+
+std::vector<Key> of_plunge(SceneCheck& c) {
+  return {
+      key("morison_drag", c.morison_drag, positive, "",
+          "of a body that plunges in fluid at rest: C_D of its drag against the velocity"),
+      most("morison_drag_max", c.morison_drag_max, "deviation from `check.morison_drag`, relative"),
+      key("morison_mass", c.morison_mass, positive, "",
+          "the same: C_M of its drag against the acceleration"),
+      most("morison_mass_max", c.morison_mass_max, "deviation from `check.morison_mass`, relative"),
+      most("theodorsen_max", c.theodorsen_max,
+           "of a body that plunges in a stream: what the lift at the plunge's frequency differs "
+           "from that of a flat plate, relative"),
+      from("plunge_from", c.plunge_from, "whole periods count from this T on, 0 if not written")};
+}
+
+std::vector<Key> of_cost(SceneCheck& c) {
+  return {most("blobs_max", c.blobs_max, "most blobs that there may be at any step")};
+}
+
+}  // namespace
+
+std::vector<Key> keys(SceneCheck& check) {
+  std::vector<Key> all;
+  for (const auto part :
+       {against_references, of_forces, of_free_space, of_shedding, of_plunge, of_cost})
+    for (Key& key : part(check)) all.push_back(std::move(key));
+  return all;
 }
 
 }  // namespace vortree::io

@@ -12,8 +12,6 @@
 namespace vortree::io {
 namespace {
 
-using schema::Rule;
-
 /// The shortest digits that read back to the same double, with a point or an exponent: a float.
 std::string toml_text(double value) {
   std::string text = fmt::format("{}", value);
@@ -36,73 +34,88 @@ std::string toml_text(std::span<const double> values) {
   return fmt::format("[{}]", fmt::join(words, ", "));
 }
 
-template <class E>
-requires std::is_enum_v<E> std::string toml_text(E value) {
-  return fmt::format("\"{}\"", word(value));
+std::string in_quotes(std::string_view word) {
+  return fmt::format("\"{}\"", word);
 }
 
-/// Writes `key = value` lines, a headed paragraph for each table; unset optionals leave no trace.
-struct Printer {
-  std::string text;
+/// The value of a key as TOML; an optional that is not set has none.
+using Text = std::optional<std::string>;
 
-  template <class T>
-  void operator()(std::string_view key, const T& value, const Rule&) {
-    text += fmt::format("{} = {}\n", key, toml_text(value));
+template <class T>
+Text text_of(const T* value) {
+  return toml_text(*value);
+}
+
+template <class T>
+Text text_of(const std::optional<T>* value) {
+  return *value ? Text(toml_text(**value)) : std::nullopt;
+}
+
+Text text_of(const OneOf& choice) {
+  const auto number = choice.get();
+  return number ? Text(in_quotes(choice.words[*number])) : std::nullopt;
+}
+
+Text text_of(const Key& key) {
+  return std::visit([](const auto& target) { return text_of(target); }, key.target);
+}
+
+/// `key = value` lines; unset optionals leave no trace.
+std::string lines(const std::vector<Key>& keys) {
+  std::string all;
+  for (const Key& key : keys)
+    if (const Text text = text_of(key)) all += fmt::format("{} = {}\n", key.name, *text);
+  return all;
+}
+
+/// What a key is without being written.
+std::string usual(const Key& key) {
+  if (key.rule.required) return "needed";
+  if (key.rule.chosen) return "chosen";
+  return text_of(key).value_or("none");
+}
+
+/// "> 0, <= 0.1", "8 .. 64", "a", "b"; nothing where anything goes.
+std::string limits(const Key& key) {
+  if (const OneOf* choice = std::get_if<OneOf>(&key.target)) {
+    std::vector<std::string> words;
+    for (const std::string_view word : choice->words) words.push_back(in_quotes(word));
+    return fmt::format("{}", fmt::join(words, ", "));
   }
+  const Rule& rule = key.rule;
+  const bool below = rule.low > -endless, above = rule.high < endless;
+  if (below && above && !rule.above_low && !rule.below_high)
+    return fmt::format("{} .. {}", rule.low, rule.high);
+  const std::string low = fmt::format("{} {}", rule.above_low ? ">" : ">=", rule.low),
+                    high = fmt::format("{} {}", rule.below_high ? "<" : "<=", rule.high);
+  return (below ? low : "") + (below && above ? ", " : "") + (above ? high : "");
+}
 
-  template <class T>
-  void operator()(std::string_view key, const std::optional<T>& value, const Rule& rule) {
-    if (value) (*this)(key, *value, rule);
-  }
-
-  template <class T>
-  void table(std::string_view name, const T& value, bool) {
-    text += fmt::format("\n[{}]\n", name);
-    schema::walk(value, *this);
-  }
-
-  template <class T>
-  void table(std::string_view name, const std::optional<T>& value, bool required) {
-    if (value) table(name, *value, required);
-  }
-};
-
-template <class E>
-std::string_view word_of(E value) {
-  return schema::words_of<E>.at(static_cast<std::size_t>(value));
+std::string row(std::string_view name, const Key& key) {
+  return fmt::format("| `{}` | {} | {} | {} | {} |\n", name, usual(key), key.unit, limits(key),
+                     key.says);
 }
 
 }  // namespace
 
 std::string resolved(const Scene& scene) {
-  Printer printer;
-  schema::walk(scene, printer);
-  return printer.text;
+  Scene copy = scene;  // keys are places to write to, too
+  std::string text = lines(keys(copy));
+  for (const SceneTable& table : tables(copy))
+    if (table.present()) text += fmt::format("\n[{}]\n{}", table.name, lines(table.keys()));
+  return text;
 }
 
-std::string_view word(Shape value) {
-  return word_of(value);
-}
-std::string_view word(InitialKind value) {
-  return word_of(value);
-}
-std::string_view word(DiffusionKind value) {
-  return word_of(value);
-}
-std::string_view word(TimeScheme value) {
-  return word_of(value);
-}
-std::string_view word(VelocityMethod value) {
-  return word_of(value);
-}
-std::string_view word(TreeBuilder value) {
-  return word_of(value);
-}
-std::string_view word(PairCores value) {
-  return word_of(value);
-}
-std::string_view word(ExactAnswer value) {
-  return word_of(value);
+std::string page_of_keys() {
+  std::string page =
+      "| key | default | unit | limits or words | what it is |\n"
+      "|---|---|---|---|---|\n";
+  Scene blank;
+  for (const Key& key : keys(blank)) page += row(key.name, key);
+  for (const SceneTable& table : tables(blank))
+    for (const Key& key : table.keys())
+      page += row(fmt::format("{}.{}", table.name, key.name), key);
+  return page;
 }
 
 }  // namespace vortree::io

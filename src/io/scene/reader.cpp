@@ -15,8 +15,6 @@
 namespace vortree::io {
 namespace {
 
-using schema::Rule;
-
 /// One value under its dotted name; the overloads of `read` convert it and hold it to the rule.
 struct Value {
   const Document& document;
@@ -97,18 +95,15 @@ void read(const Value& value, std::array<double, n>& target, const Rule& rule) {
   for (std::size_t i = 0; i < n; ++i) read(value.element(i), target[i], rule);
 }
 
-template <class E>
-requires std::is_enum_v<E>
-void read(const Value& value, E& target, const Rule& rule) {
+void read(const Value& value, const OneOf& target, const Rule& rule) {
   std::string text;
   read(value, text, rule);
-  const auto& words = schema::words_of<E>;
-  const auto found = std::find(words.begin(), words.end(), text);
-  if (found == words.end()) {
-    value.refuse(value.name,
-                 fmt::format("{} is {}; known: {}", value.name, as_typed(text), listed(words)));
+  const auto found = std::ranges::find(target.words, text);
+  if (found == target.words.end()) {
+    value.refuse(value.name, fmt::format("{} is {}; known: {}", value.name, as_typed(text),
+                                         listed(target.words)));
   }
-  target = static_cast<E>(found - words.begin());
+  target.set(static_cast<std::size_t>(found - target.words.begin()));
 }
 
 template <class T>
@@ -116,23 +111,25 @@ void read(const Value& value, std::optional<T>& target, const Rule& rule) {
   read(value, target.emplace(), rule);
 }
 
-/// Collects the names of a table's keys, or of a scene's keys and tables.
-struct Names {
-  std::vector<std::string_view> keys, tables;
-
-  void operator()(std::string_view key, const auto&, const Rule&) { keys.push_back(key); }
-  void table(std::string_view name, const auto&, bool) { tables.push_back(name); }
-};
-
 template <class T>
-Names names_of() {
+void read(const Value& value, T* target, const Rule& rule) {
+  read(value, *target, rule);
+}
+
+void read(const Value& value, const Key& key) {
+  std::visit([&](const auto& target) { read(value, target, key.rule); }, key.target);
+}
+
+using Names = std::vector<std::string_view>;
+
+/// The names of keys, or of tables.
+Names names_of(const auto& list) {
   Names names;
-  const T blank{};
-  schema::walk(blank, names);
+  for (const auto& named : list) names.push_back(named.name);
   return names;
 }
 
-bool contains(const std::vector<std::string_view>& words, std::string_view word) {
+bool contains(const Names& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
@@ -144,80 +141,63 @@ std::string advice(std::string_view word, std::span<const std::string_view> know
                      meant.empty() ? "" : fmt::format("; did you mean {}?", meant));
 }
 
-/// Reads the keys of one table as the schema walks past them.
-struct TableReader {
-  const Document& document;
-  std::string name;
-  const toml::table& table;
+void refuse_unknown(const Document& document, std::string_view name, const toml::table& table,
+                    const Names& known) {
+  for (const auto& [key, node] : table) {
+    if (contains(known, key.str())) continue;
+    const std::string dotted = fmt::format("{}.{}", name, key.str());
+    document.refuse(dotted, fmt::format("{} is not a key of [{}]; {}", shortened(dotted, 80), name,
+                                        advice(key.str(), known)));
+  }
+}
 
-  template <class T>
-  void operator()(std::string_view key, T& target, const Rule& rule) {
-    if (const toml::node* node = table.get(key)) {
-      read(Value{document, fmt::format("{}.{}", name, key), *node}, target, rule);
-    } else if (rule.required) {
-      document.refuse(name, fmt::format("[{}] needs the key {}", name, key));
+void refuse_unknown(const Document& document, const Names& keys, const Names& tables) {
+  for (const auto& [key, node] : document.root()) {
+    if (contains(keys, key.str()) || contains(tables, key.str())) continue;
+    const std::string name(key.str()), shown = shortened(name, 80);
+    document.refuse(name, node.is_table() ? fmt::format("[{}] is not a table of a scene; {}", shown,
+                                                        advice(name, tables))
+                                          : fmt::format("{} is not a key at the top of a scene; {}",
+                                                        shown, advice(name, keys)));
+  }
+}
+
+void read_table(const Document& document, std::string_view name, const toml::table& table,
+                const std::vector<Key>& keys) {
+  refuse_unknown(document, name, table, names_of(keys));
+  for (const Key& key : keys) {
+    if (const toml::node* node = table.get(key.name)) {
+      read(Value{document, fmt::format("{}.{}", name, key.name), *node}, key);
+    } else if (key.rule.required) {
+      document.refuse(name, fmt::format("[{}] needs the key {}", name, key.name));
     }
   }
+}
 
-  void refuse_unknown(const std::vector<std::string_view>& known) const {
-    for (const auto& [key, node] : table) {
-      if (contains(known, key.str())) continue;
-      const std::string dotted = fmt::format("{}.{}", name, key.str());
-      document.refuse(dotted, fmt::format("{} is not a key of [{}]; {}", shortened(dotted, 80),
-                                          name, advice(key.str(), known)));
-    }
+void read_table(const Document& document, const SceneTable& table) {
+  const toml::node* node = document.root().get(table.name);
+  if (!node && table.required)
+    document.refuse("", fmt::format("the table [{}] is missing", table.name));
+  if (!node) return;
+  if (!node->is_table()) {
+    document.refuse(table.name,
+                    fmt::format("{} is {}; a table was expected", table.name, kind_of(*node)));
   }
-};
-
-struct SceneReader {
-  const Document& document;
-
-  template <class T>
-  void operator()(std::string_view key, T& target, const Rule& rule) {
-    if (const toml::node* node = document.root().get(key)) {
-      read(Value{document, std::string(key), *node}, target, rule);
-    }
-  }
-
-  template <class T>
-  void table(std::string_view name, T& target, bool required) {
-    const toml::node* node = document.root().get(name);
-    if (!node && required) document.refuse("", fmt::format("the table [{}] is missing", name));
-    if (!node) return;
-    if (!node->is_table()) {
-      document.refuse(name, fmt::format("{} is {}; a table was expected", name, kind_of(*node)));
-    }
-    TableReader reader{document, std::string(name), *node->as_table()};
-    reader.refuse_unknown(names_of<T>().keys);
-    schema::walk(target, reader);
-  }
-
-  template <class T>
-  void table(std::string_view name, std::optional<T>& target, bool required) {
-    if (document.root().contains(name)) table(name, target.emplace(), required);
-  }
-
-  void refuse_unknown() const {
-    const Names known = names_of<Scene>();
-    for (const auto& [key, node] : document.root()) {
-      if (contains(known.keys, key.str()) || contains(known.tables, key.str())) continue;
-      const std::string name(key.str()), shown = shortened(name, 80);
-      document.refuse(name, node.is_table()
-                                ? fmt::format("[{}] is not a table of a scene; {}", shown,
-                                              advice(name, known.tables))
-                                : fmt::format("{} is not a key at the top of a scene; {}", shown,
-                                              advice(name, known.keys)));
-    }
-  }
-};
+  read_table(document, table.name, *node->as_table(), table.keys());
+}
 
 }  // namespace
 
 Scene read_scene(const Document& document) {
   Scene scene;
-  SceneReader reader{document};
-  reader.refuse_unknown();
-  schema::walk(scene, reader);
+  const std::vector<Key> top = keys(scene);
+  const std::vector<SceneTable> all = tables(scene);
+  refuse_unknown(document, names_of(top), names_of(all));
+  for (const Key& key : top) {
+    if (const toml::node* node = document.root().get(key.name))
+      read(Value{document, std::string(key.name), *node}, key);
+  }
+  for (const SceneTable& table : all) read_table(document, table);
   return scene;
 }
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/keys.hpp"
 #include "io/input_error.hpp"
 
 namespace vortree::io {
@@ -30,6 +31,37 @@ enum class VelocityMethod { fmm, boxes, direct };
 enum class TreeBuilder { reverse, forward };
 enum class PairCores { mean, source, both };
 enum class ExactAnswer { lamb_oseen, kirchhoff_ellipse, corotating_pair, dipole };
+
+}  // namespace vortree::io
+
+// The words of the TOML file.
+namespace vortree {
+
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<io::Shape>{"circle", "ellipse",
+                                                                     "naca0012"};
+template <>
+inline constexpr std::array<std::string_view, 6> words_of<io::InitialKind>{
+    "lamb_oseen", "gaussian_ellipse", "kirchhoff_ellipse", "corotating_pair", "dipole", "tripole"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<io::DiffusionKind>{
+    "core_spreading", "random_walk", "particle_exchange"};
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<io::TimeScheme>{"rk2", "rk4"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<io::VelocityMethod>{"fmm", "boxes",
+                                                                              "direct"};
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<io::TreeBuilder>{"reverse", "forward"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<io::PairCores>{"mean", "source", "both"};
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<io::ExactAnswer>{
+    "lamb_oseen", "kirchhoff_ellipse", "corotating_pair", "dipole"};
+
+}  // namespace vortree
+
+namespace vortree::io {
 
 /// Kinematic viscosity nu >= 0 [L^2/T] and the free stream [L/T]. reynolds = U D/nu gives nu by the
 /// body's size D and the stream's speed U (without one, the greatest of the plunge); a loaded scene
@@ -142,29 +174,12 @@ struct SceneOutput {
   bool operator==(const SceneOutput&) const = default;
 };
 
-/// What `vortree check` and the tests hold a finished run against; only what is set is checked.
+/// What a finished run is held against; only what is set is checked. check.cpp tells each key.
 ///
-/// *_max, *_rms   largest and root-mean-square deviation allowed. Relative for drag, bubble
-///                length, vorticity, velocity, moments, wall vorticity and routes (one drag route
-///                against the other); lift_max is a coefficient, blobs_max a count
-///                (of a body that plunges, relative to the largest drag)
-/// lift_routes_max  one lift route against the other, relative to the largest lift
-/// *_from         only for T >= this
-/// exact          the answer known by heart that vorticity_max and velocity_max (lamb_oseen),
-///                rotation_max (kirchhoff_ellipse: mean rate of turning), speed_max (dipole:
-///                distance travelled) or merger_max (corotating_pair: core over separation when
-///                that has fallen by 1 %, off 0.22) are measured from
-/// quadrupole_max, separation_max  off moments_reference, relative to its largest
-/// strouhal, mean_drag  of a cylinder that sheds vortices, from T = shedding_from on: the highest
-///                peak of the lift's spectrum times D/U, and the mean of the drag by impulse; the
-///                first may be off by strouhal_max relative, the second by mean_drag_max; so of
-///                mean_lift
-/// morison_drag, morison_mass  of a body that plunges in fluid at rest, over the whole periods from
-///                plunge_from on (checks/plunge.hpp); relative
-/// theodorsen_max what the lift at the plunge's frequency differs from that of a flat plate
-///                (exact/theodorsen.hpp), relative
-/// energy_max     what the energy differs from that at the start and what viscosity took, relative
-/// *_reference    files as written, relative to the folder of the scene: see reference_path
+/// *_max, *_rms  largest and root-mean-square deviation allowed
+/// *_from        only for T >= this
+/// exact         the answer known by heart that a vortex of this kind is measured from
+/// *_reference   files as written, relative to the folder of the scene: see reference_path
 struct SceneCheck {
   std::optional<std::string> drag_reference{};
   std::optional<double> drag_max{}, drag_rms{}, drag_from{};
@@ -277,15 +292,5 @@ bool operator==(const Scene&, const Scene&);
 
 /// The fastest that a body and its stream meet, or a little more.
 [[nodiscard]] double fastest_of(const Scene&);
-
-/// The words of the TOML file: "rk2", "boxes", "reverse", ...
-[[nodiscard]] std::string_view word(Shape);
-[[nodiscard]] std::string_view word(InitialKind);
-[[nodiscard]] std::string_view word(DiffusionKind);
-[[nodiscard]] std::string_view word(TimeScheme);
-[[nodiscard]] std::string_view word(VelocityMethod);
-[[nodiscard]] std::string_view word(TreeBuilder);
-[[nodiscard]] std::string_view word(PairCores);
-[[nodiscard]] std::string_view word(ExactAnswer);
 
 }  // namespace vortree::io

@@ -12,49 +12,51 @@
 namespace vortree::io {
 namespace {
 
-using schema::Rule;
-
 constexpr double largest = 1e30, least = 1e-30;
 
-/// Refuses numbers out of proportion as the schema walks past them.
-struct SizesHeld {
-  const Document& document;
-  std::string name{};
+void hold_size(const Document& document, std::string_view name, double value) {
+  const double size = std::abs(value);
+  if (size == 0 || (size >= least && size <= largest)) return;
+  document.refuse(name,
+                  fmt::format("{} is {}; numbers of a size within {:.0e} .. {:.0e} are computed "
+                              "with: other units of length and time bring it there",
+                              name, value, least, largest));
+}
 
-  void operator()(std::string_view key, const auto& value, const Rule&) const { hold(key, value); }
-  void table(std::string_view table, const auto& value, bool) const {
-    if (table == "check" || table == "output") return;  // nothing is computed with
-    SizesHeld inner{document, std::string(table)};
-    schema::walk(value, inner);
-  }
-  template <class T>
-  void table(std::string_view table_name, const std::optional<T>& value, bool required) const {
-    if (value) table(table_name, *value, required);
-  }
+/// The real numbers that a key has.
+std::span<const double> numbers(const auto&) {
+  return {};
+}
+std::span<const double> numbers(double* value) {
+  return {value, 1};
+}
+std::span<const double> numbers(std::vector<double>* values) {
+  return *values;
+}
+template <std::size_t n>
+std::span<const double> numbers(std::array<double, n>* values) {
+  return *values;
+}
+template <class T>
+std::span<const double> numbers(std::optional<T>* value) {
+  return *value ? numbers(&**value) : std::span<const double>{};
+}
 
- private:
-  void hold(std::string_view key, double value) const {
-    const double size = std::abs(value);
-    if (size == 0 || (size >= least && size <= largest)) return;
-    const std::string dotted = name.empty() ? std::string(key) : fmt::format("{}.{}", name, key);
-    document.refuse(dotted,
-                    fmt::format("{} is {}; numbers of a size within {:.0e} .. {:.0e} are computed "
-                                "with: other units of length and time bring it there",
-                                dotted, value, least, largest));
+/// Refuses numbers out of proportion.
+void hold_sizes(const Document& document, std::string_view name, const Key& key) {
+  const auto real = std::visit([](const auto& target) { return numbers(target); }, key.target);
+  for (const double value : real) hold_size(document, name, value);
+}
+
+void hold_sizes(const Document& document, Scene scene) {
+  for (const Key& key : keys(scene)) hold_sizes(document, key.name, key);
+  for (const SceneTable& table : tables(scene)) {
+    if (table.name == "check" || table.name == "output") continue;  // nothing is computed with
+    if (!table.present()) continue;
+    for (const Key& key : table.keys())
+      hold_sizes(document, fmt::format("{}.{}", table.name, key.name), key);
   }
-  template <class T>
-  void hold(std::string_view key, const std::optional<T>& value) const {
-    if (value) hold(key, *value);
-  }
-  template <std::size_t n>
-  void hold(std::string_view key, const std::array<double, n>& values) const {
-    for (double value : values) hold(key, value);
-  }
-  void hold(std::string_view key, const std::vector<double>& values) const {
-    for (double value : values) hold(key, value);
-  }
-  void hold(std::string_view, const auto&) const {}  // no real number
-};
+}
 
 Vec2 seen_from(const Vec2& at, const Vec2& from) {
   return {at[0] - from[0], at[1] - from[1]};
@@ -168,8 +170,7 @@ bool covers(const SceneBody& body, const Vec2& point) {
 }
 
 void refuse_senseless(const Document& document, const Scene& scene) {
-  SizesHeld held{document};
-  schema::walk(scene, held);
+  hold_sizes(document, scene);
   if (scene.initial) hold_initial(document, scene);
   if (scene.body && !scene.initial && speed_of(scene) == 0)
     document.refuse("flow",

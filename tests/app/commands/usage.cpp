@@ -65,6 +65,7 @@ TEST_CASE("wrong usage is answered with one line and exit code 2") {
       {"run", "SCENE"},
       {"run nowhere", "nowhere"},
       {"check", "SCENE"},
+      {"check --keys lamb_oseen", "--keys"},
       {"check nowhere.toml", "nowhere.toml"},
       {"check .", "folder"},
       {"bench", "WHAT"},

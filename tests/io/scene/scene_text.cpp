@@ -23,21 +23,6 @@ std::string utf16(std::string_view text) {
   return wide;
 }
 
-/// "a, [b, c], d" -> a | [b, c] | d
-std::vector<std::string> parts(const std::string& text) {
-  std::vector<std::string> found(1);
-  int depth = 0;
-  for (const char c : text) {
-    depth += (c == '[') - (c == ']');
-    if (c == ',' && depth == 0) {
-      found.emplace_back();
-    } else if (c != ' ' || !found.back().empty()) {
-      found.back() += c;
-    }
-  }
-  return found;
-}
-
 }  // namespace
 
 TEST_CASE("a scene that is no text of UTF-8 is refused with the line") {
@@ -92,31 +77,24 @@ TEST_CASE("of long words and lists an error tells the part that helps") {
 
 TEST_CASE("the page of keys gives the defaults that the program has") {
   std::ifstream page(VORTREE_SOURCE_DIR "/cases/scenes.md");
-  const std::regex row(R"(\| `([a-z]+)\.([a-z_, 0]+)` \| ([^|]+) \|.*)");
+  const std::regex row(R"(\| `([a-z]+)\.([a-z_0]+)` \| ([^|]+) \|.*)");
   const std::string text = plain + "[body]\nradius = 1\n";
   int given = 0, required = 0;
-  for (std::string line; std::getline(page, line);) {
+  for (std::string line; std::getline(page, line) && line != "<!-- end of keys -->";) {
     std::smatch cells;
     if (!std::regex_match(line, cells, row)) continue;
-    const bool another = cells[1] == "plunge" || line.find("naca0012") != std::string::npos;
-    if (another) continue;  // than the scene at hand
-    const auto keys = parts(cells[2]), defaults = parts(cells[3]);
-    for (std::size_t i = 0; i < keys.size() && keys.size() == defaults.size(); ++i) {
-      const std::string key = cells[1].str() + "." + keys[i];
-      CAPTURE(key, defaults[i]);
-      if (defaults[i] == "required") {
-        const std::string without =
-            std::regex_replace(text, std::regex("\n" + keys[i] + " = [^\n]*"), "");
-        CHECK_THAT(refused(without), Contains("needs the key") && Contains(keys[i]));
-        ++required;
-      } else if (defaults[i] != "none" && !defaults[i].starts_with("the larger")) {
-        const std::string without =
-            std::regex_replace(text, std::regex("\n" + keys[i] + " = \"[^\n]*"), "");
-        CHECK(parse(without, {key + "=" + defaults[i]}) == parse(without));
-        ++given;
-      }
+    if (cells[1] == "plunge") continue;  // the scene at hand has none
+    const std::string name = cells[2], usual = cells[3], key = cells[1].str() + "." + name;
+    CAPTURE(key, usual);
+    const std::string without = std::regex_replace(text, std::regex("\n" + name + " = [^\n]*"), "");
+    if (usual == "needed" || (usual == "chosen" && key != "output.frames")) {
+      CHECK_THAT(refused(without), Contains("needs the key") && Contains(name));
+      ++required;
+    } else if (usual != "none" && usual != "chosen") {
+      CHECK(parse(without, {key + "=" + usual}) == parse(without));
+      ++given;
     }
   }
   CHECK(given >= 20);
-  CHECK(required >= 6);
+  CHECK(required >= 7);
 }

@@ -1,0 +1,134 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+// The keys of a table of settings, as data. Whoever has settings declares them beside the struct
+// that holds them, by one function that lists its keys in order:
+//
+//   std::vector<Key> keys(Merging& merging) {
+//     return {key("tolerance", merging.tolerance, not_negative, "L/T", "0: blobs never merge"),
+//             key("reach", merging.reach, positive, "cores", "partners are closer than this")};
+//   }
+//
+// What reads, prints, checks and documents settings walks such lists, and knows no key itself.
+
+namespace vortree {
+
+inline constexpr double endless = std::numeric_limits<double>::infinity();
+
+/// What the numbers of a key must fulfil; `words` say it to the user, after "flow.nu is -1; ".
+struct Rule {
+  double low = -endless;
+  double high = endless;
+  bool above_low = false;   ///< low itself is refused
+  bool below_high = false;  ///< high itself is refused
+  std::string_view words = "";
+  bool required = false;  ///< a table without the key is refused
+  bool chosen = false;    ///< has no default: what else is written makes it, or it is asked for
+
+  constexpr bool holds(double value) const {
+    return (above_low ? value > low : value >= low) && (below_high ? value < high : value <= high);
+  }
+};
+
+inline constexpr Rule anything{};
+inline constexpr Rule positive{.low = 0, .above_low = true, .words = "it must be > 0"};
+inline constexpr Rule not_negative{.low = 0, .words = "it must be >= 0"};
+
+constexpr Rule required(Rule rule) {
+  rule.required = true;
+  return rule;
+}
+
+constexpr Rule chosen(Rule rule) {
+  rule.chosen = true;
+  return rule;
+}
+
+/// The words of an enumeration, in the order of its values 0, 1, ...; specialised beside it.
+template <class E>
+inline constexpr std::array<std::string_view, 0> words_of{};
+
+/// An enumeration whose words are known.
+template <class E>
+concept Worded = std::is_enum_v<E> && !words_of<E>.empty();
+
+/// The word of a value: "rk2", "boxes", "reverse", ...
+template <Worded E>
+[[nodiscard]] constexpr std::string_view word(E value) {
+  return words_of<E>.at(static_cast<std::size_t>(value));
+}
+
+/// A place for one of several words, known by their numbers in the list.
+struct OneOf {
+  std::span<const std::string_view> words;
+  std::function<std::optional<std::size_t>()> get;  ///< none if an optional is not set
+  std::function<void(std::size_t)> set;
+};
+
+template <Worded E>
+[[nodiscard]] OneOf one_of(E& value) {
+  return {words_of<E>, [&value] { return std::optional(static_cast<std::size_t>(value)); },
+          [&value](std::size_t number) { value = static_cast<E>(number); }};
+}
+
+template <Worded E>
+[[nodiscard]] OneOf one_of(std::optional<E>& value) {
+  const auto number = [&value]() -> std::optional<std::size_t> {
+    if (!value) return std::nullopt;
+    return static_cast<std::size_t>(*value);
+  };
+  return {words_of<E>, number, [&value](std::size_t found) { value = static_cast<E>(found); }};
+}
+
+/// Where the value of a key lives.
+using Target =
+    std::variant<double*, int*, std::int64_t*, std::string*, std::vector<double>*,
+                 std::array<double, 2>*, std::array<double, 4>*, std::optional<double>*,
+                 std::optional<std::string>*, std::optional<std::array<double, 4>>*, OneOf>;
+
+/// A key of a table. It is good as long as the table that it was made of stays where it is.
+///
+/// name   as it is written
+/// rule   what its numbers must fulfil; of an array, each of them
+/// unit   of its numbers, in the table's own length L and time T: "L^2/T", "degrees"; "" for none
+/// says   what it is, in one sentence, without a full stop and without "|"
+struct Key {
+  std::string_view name;
+  Target target;
+  Rule rule;
+  std::string_view unit;
+  std::string_view says;
+};
+
+template <class T>
+[[nodiscard]] Key key(std::string_view name, T& value, Rule rule, std::string_view unit,
+                      std::string_view says) {
+  if constexpr (requires { one_of(value); }) {
+    return {name, one_of(value), rule, unit, says};
+  } else {
+    return {name, &value, rule, unit, says};
+  }
+}
+
+/// A word: any of those that its enumeration has.
+template <class T>
+requires requires(T& value) {
+  one_of(value);
+}
+[[nodiscard]] Key key(std::string_view name, T& value, std::string_view says) {
+  return {name, one_of(value), anything, "", says};
+}
+
+}  // namespace vortree
