@@ -1,12 +1,24 @@
-"""How many blobs the run carries, and where the seconds go."""
+"""How many particles the run carries, and where the seconds go."""
 
 import json
 
 import numpy as np
 from _style import BLUE, GREEN, GREY, INK, ORANGE, SKY, Broken, Nothing, figure, main
 
-PHASES = (("convect", "convect: velocities", BLUE), ("wall", "wall: slip and sheet", ORANGE),
-          ("split", "split", GREEN), ("merge", "merge", SKY), ("output", "output", GREY))
+WORDS = {"convect": "convect: velocities", "wall": "wall: slip and sheet"}
+COLOURS = (BLUE, ORANGE, GREEN, SKY)  # of the phases that a method names; output is grey
+
+
+def phases(report):
+    """Those of the run's method, in the order of the report, with their words and colours."""
+    names = [name.removeprefix("seconds_") for name in report if name.startswith("seconds_")]
+    return [(name, WORDS.get(name, name), GREY if name == "output" else COLOURS[k % len(COLOURS)])
+            for k, name in enumerate(names)]
+
+
+def particles(report):
+    """What the method calls them: their number is the first that it measures."""
+    return list(report)[2]
 
 
 def draw(run):
@@ -17,18 +29,19 @@ def draw(run):
     time = report["T"] if bodied else report["t"]
     fig = figure(7.2, 5.4, title(run))
     top, bottom = fig.subplots(2, 1, sharex=True)
-    thousands = report["blobs"].max() >= 2000
-    top.plot(time, report["blobs"] / (1e3 if thousands else 1), color=INK, lw=1.6)
-    top.set_ylabel("blobs  [thousand]" if thousands else "blobs")
+    what = particles(report)
+    thousands = report[what].max() >= 2000
+    top.plot(time, report[what] / (1e3 if thousands else 1), color=INK, lw=1.6)
+    top.set_ylabel(f"{what}  [thousand]" if thousands else what)
     top.set_ylim(0, None)
     top.set_xlim(time[0], time[-1])
 
     width = time.size // 20
-    layers = np.array([smoothed(report[f"seconds_{phase}"], width) for phase, *_ in PHASES])
+    layers = np.array([smoothed(report[f"seconds_{phase}"], width) for phase, *_ in phases(report)])
     unit, size = ("s", 1) if layers.sum(axis=0).max() >= 2 else ("ms", 1e3)
-    bottom.stackplot(time, size * layers, labels=[name for _, name, _ in PHASES],
-                     colors=[colour for *_, colour in PHASES], lw=0, step="mid")
-    bottom.legend(loc="lower left", bbox_to_anchor=(-0.01, 0.99), ncol=len(PHASES),
+    bottom.stackplot(time, size * layers, labels=[name for _, name, _ in phases(report)],
+                     colors=[colour for *_, colour in phases(report)], lw=0, step="mid")
+    bottom.legend(loc="lower left", bbox_to_anchor=(-0.01, 0.99), ncol=len(layers),
                   handlelength=1.1, columnspacing=1.4)
     averaged = f",\nmean over {2 * (width // 2) + 1} steps" if width > 1 else ""
     bottom.set_ylabel(f"time per step  [{unit}]{averaged}", linespacing=1.3)
@@ -40,6 +53,7 @@ def draw(run):
 def title(run):
     """From summary.json, which an unfinished run does not have yet."""
     report = run.report
+    what = particles(report)
     seconds, threads = report["seconds"][-1], None
     path = run.folder / "summary.json"
     if path.exists():
@@ -48,7 +62,7 @@ def title(run):
             seconds, threads = summary["seconds"]["total"], summary["threads"]
         except (OSError, ValueError, KeyError, TypeError):
             raise Broken(f"{path}: not the summary of a run") from None
-    words = f"{report['t'].size} steps, at most {report['blobs'].max():,.0f} blobs, {seconds:.3g} s"
+    words = f"{report['t'].size} steps, at most {report[what].max():,.0f} {what}, {seconds:.3g} s"
     return words + (f" on {threads} thread{'s'[:threads > 1]}" if threads else "")
 
 

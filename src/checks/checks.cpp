@@ -12,6 +12,7 @@
 #include "checks/history_rows.hpp"
 #include "checks/periodogram.hpp"
 #include "checks/plunge.hpp"
+#include "checks/spin.hpp"
 #include "io/tables/table.hpp"
 
 namespace vortree::checks {
@@ -192,6 +193,7 @@ std::vector<Verdict> verdicts(const io::Scene& scene, const std::filesystem::pat
     check_forces(list, scene, rows);
     check_shedding(list, scene.check, rows);
     check_plunge(list, scene, scales, rows);
+    check_spin(list, scene, solver);
     check_wall(list, scene, folder, scales, rows);
   }
   check_free_space(list, scene, folder, solver, scales, rows);

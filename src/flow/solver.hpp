@@ -71,7 +71,8 @@ class Solver {
   /// The particles as frames show them; x and y among them, u and v if they have velocities.
   virtual Columns columns() const = 0;
 
-  /// What is measured after each step. Names and order never change on the way.
+  /// What is measured after each step, the number of particles first, under their name. Names and
+  /// order never change on the way.
   virtual Measures measures() const = 0;
 
   /// What the body feels; none without one.

@@ -114,7 +114,9 @@ flow::Columns Solver::columns() const {
 
 flow::Measures Solver::measure() const {
   const Invariants now = invariants(blobs_, shape());
-  const double circulation = now.circulation + wake_.retired.gamma;
+  const Flow& flow = setup_.problem.flow;
+  double circulation = now.circulation + wake_.retired.gamma;
+  if (flow.spin.rate != 0) circulation += flow.spin.circulation(wall()->area());
   Vec2 moment = wall() ? wake_.moment : now.moment + wake_.retired.moment;
   // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
   const Vec2 from = wall() ? Vec2{} : origin();
@@ -122,8 +124,8 @@ flow::Measures Solver::measure() const {
   const Form form = wall() ? Form{} : vortex::form(blobs_);
   const Vec2 plus = wall() ? Vec2{} : form.positive_centre;
   const bool moves = dot(from, from) > 0;
-  const Flow& flow = setup_.problem.flow;
-  const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && flow.plunge.frequency == 0;
+  const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && flow.plunge.frequency == 0 &&
+                    flow.spin.rate == 0;
   return {
       {"blobs", "", static_cast<double>(blobs_.size())},
       {"circulation", "L^2/T", circulation},

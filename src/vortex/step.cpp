@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -25,6 +26,27 @@ double total(std::span<const double> gamma) {
 void add_stream(Velocities& u, Vec2 stream) {
   for (double& a : u.u) a += stream.x;
   for (double& a : u.v) a += stream.y;
+}
+
+/// Circulation of the body itself, and what it moves.
+double of_body(const Problem& p) {
+  return p.flow.spin.rate == 0 ? 0 : p.flow.spin.circulation(p.wall->area());
+}
+
+/// The velocity of a body that spins, as a vortex at its centre has it.
+void add_body(Velocities& u, tree::Points at, double circulation) {
+  if (circulation == 0) return;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const Vec2 d{at.x[k], at.y[k]};
+    const double turn = circulation / (2 * std::numbers::pi * dot(d, d));
+    u.u[k] -= turn * d.y;
+    u.v[k] += turn * d.x;
+  }
+}
+
+/// Of all sheets, that which leaves no circulation in fluid and body together.
+double sheet_circulation(const Blobs& blobs, const Problem& p) {
+  return -total(blobs.gamma) - p.retired.gamma - of_body(p);
 }
 
 fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
@@ -59,8 +81,9 @@ Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2
   add_stream(u, stream);
   if (p.wall) {
     const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
-    const auto sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
+    const auto sheet = p.wall->sheet(slip, sheet_circulation(blobs, p));
     p.wall->add_velocity(sheet, at_points(p.sums), {at.x, at.y}, u);
+    add_body(u, {at.x, at.y}, of_body(p));
   }
   return u;
 }
@@ -81,9 +104,10 @@ AtRest with_sheet(tree::Points points, const Blobs& blobs, const Acting& at, con
   plan.velocity_bare(p.wall->samples(), at_samples.u, at_samples.v);
   plan.velocity(fmm::Targets{points.x, points.y, {}}, result.u.u, result.u.v);
   const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
-  result.sheet = p.wall->sheet(slip, -total(blobs.gamma) - p.retired.gamma);
+  result.sheet = p.wall->sheet(slip, sheet_circulation(blobs, p));
   add_stream(result.u, stream);
   p.wall->add_velocity(result.sheet, at_points(p.sums), points, result.u);
+  add_body(result.u, points, of_body(p));
   return result;
 }
 

@@ -19,10 +19,12 @@ namespace vortree::vortex {
 
 /// stream  undisturbed velocity [m/s]; nu viscosity [m^2/s], 0: no diffusion, splitting or merging
 /// plunge  of the body, in whose frame all is computed: positions, velocities, impulse
+/// spin    of a circle about its centre, which then is the origin
 struct Flow {
   Vec2 stream;
   double nu;
   body::Plunge plunge{};
+  body::Spin spin{};
 
   /// The stream as the body sees it, and how far that goes in a time dt.
   Vec2 stream_at(double t) const { return stream - plunge.velocity(t); }

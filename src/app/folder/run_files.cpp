@@ -45,6 +45,7 @@ std::string difference(const io::Scene& a, const io::Scene& b) {
   if (a.flow != b.flow) return "[flow]";
   if (a.body != b.body) return "[body]";
   if (a.plunge != b.plunge) return "[plunge]";
+  if (a.motion != b.motion) return "[motion]";
   if (a.diffusion != b.diffusion) return "[diffusion]";
   if (a.cores != b.cores) return "[cores]";
   if (a.splitting != b.splitting) return "[splitting]";

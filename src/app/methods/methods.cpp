@@ -16,7 +16,8 @@
 namespace vortree::app {
 
 std::span<const Method> methods() {
-  static const Method all[] = {{std::string(io::vortices), vortex_solver, checks::refuse_beyond, checks::warnings}};
+  static const Method all[] = {
+      {std::string(io::vortices), vortex_solver, checks::refuse_beyond, checks::warnings}};
   return all;
 }
 
@@ -48,7 +49,7 @@ flow::Scales scales_of(const io::Scene& scene) {
     scales.along = unit(scene.flow.stream);
   else if (scene.plunge)
     scales.along = unit(scene.plunge->direction);
-  scales.impulsive = stream;
+  scales.impulsive = stream || (scene.motion && scene.motion->spin != 0);
   return scales;
 }
 

@@ -132,8 +132,10 @@ vortex::Setup vortex_setup(const io::Scene& scene, const flow::Scales& scales) {
   made.origin = origin_of(scene);
   made.box = box_of(scene.merging);
   made.problem = {
-      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu,
-               scene.plunge ? plunge_of(*scene.plunge) : body::Plunge{}},
+      .flow = {vec(scene.flow.stream) - made.origin.drift,
+               scene.flow.nu,
+               scene.plunge ? plunge_of(*scene.plunge) : body::Plunge{},
+               {scene.motion ? scene.motion->spin : 0}},
       .dt = scene.time.dt,
       .scheme =
           scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4 : vortex::Scheme::rk2,

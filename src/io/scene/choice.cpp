@@ -26,8 +26,8 @@ void choose_viscosity(const Document& document, Scene& scene) {
   const double speed = speed_of(scene);
   if (!scene.body || speed == 0)
     document.refuse("flow.reynolds",
-                    fmt::format("flow.reynolds is {}; that needs [body] and a flow.stream or a "
-                                "[plunge]",
+                    fmt::format("flow.reynolds is {}; that needs [body] and a flow.stream, "
+                                "[plunge] or motion.spin",
                                 *scene.flow.reynolds));
   const double nu = speed * length_of(*scene.body) / *scene.flow.reynolds;
   if (given && std::abs(scene.flow.nu / nu - 1) > 1e-6)

@@ -56,7 +56,14 @@ Text text_of(const OneOf& choice) {
   return number ? Text(in_quotes(choice.words[*number])) : std::nullopt;
 }
 
+/// Nobody has written or chosen it, since what the scene asks for does without.
+bool open(const Key& key) {
+  const auto* number = std::get_if<double*>(&key.target);
+  return key.rule.chosen && number && !key.rule.holds(**number);
+}
+
 Text text_of(const Key& key) {
+  if (open(key)) return std::nullopt;
   return std::visit([](const auto& target) { return text_of(target); }, key.target);
 }
 

@@ -21,6 +21,10 @@ namespace {
 
 constexpr double most_picture_points = 1e8;
 
+double speed_of_stream(const Scene& scene) {
+  return std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
+}
+
 void require_reference(const Document& document, const Scene& scene, std::string_view key,
                        const std::optional<std::string>& written) {
   if (!written) return;
@@ -107,6 +111,33 @@ void check_plunge(const Document& document, const Scene& scene) {
                     "plunge.direction is [0, 0]; a direction was expected, as [0, 1]");
 }
 
+void check_motion(const Document& document, const Scene& scene) {
+  if (!scene.body) document.refuse("motion", "[motion] is how a body moves; there is no [body]");
+  if (scene.body->shape != Shape::circle)
+    document.refuse(
+        "motion.spin",
+        fmt::format("motion.spin is {}; only a circle can turn in its place, body.shape "
+                    "is {}",
+                    scene.motion->spin, quote(word(scene.body->shape))));
+}
+
+/// An answer known by heart is that of one flow.
+void check_exact(const Document& document, const Scene& scene) {
+  const ExactAnswer exact = *scene.check.exact;
+  const bool spins = scene.motion && !scene.plunge && !scene.initial && speed_of_stream(scene) == 0;
+  if (exact == ExactAnswer::spinning_cylinder
+          ? spins
+          : scene.initial && word(scene.initial->kind) == word(exact))
+    return;
+  document.refuse(
+      "check.exact",
+      exact == ExactAnswer::spinning_cylinder
+          ? "check.exact is \"spinning_cylinder\"; that needs [motion] in fluid at "
+            "rest and without [initial] or [plunge]"
+          : fmt::format("check.exact is {0}; that needs the table [initial] of kind {0}",
+                        quote(word(exact))));
+}
+
 /// What several keys must fulfil together.
 void check_together(const Document& document, const Scene& scene) {
   const SceneCores& cores = scene.cores;
@@ -124,11 +155,7 @@ void check_together(const Document& document, const Scene& scene) {
   if (by_vortices(scene) && !scene.body && !scene.initial) {
     document.refuse("", "a scene needs [body] or [initial]; without both there is no vorticity");
   }
-  if (scene.check.exact &&
-      !(scene.initial && word(scene.initial->kind) == word(*scene.check.exact)))
-    document.refuse("check.exact",
-                    fmt::format("check.exact is {0}; that needs the table [initial] of kind {0}",
-                                quote(word(*scene.check.exact))));
+  if (scene.check.exact) check_exact(document, scene);
   if (const auto& box = scene.merging.box; box && !((*box)[0] < (*box)[2] && (*box)[1] < (*box)[3]))
     document.refuse("merging.box",
                     "merging.box is [x0, y0, x1, y1]; x0 < x1 and y0 < y1 were expected");
@@ -147,8 +174,9 @@ void check_together(const Document& document, const Scene& scene) {
 
 bool operator==(const Scene& a, const Scene& b) {
   const auto run = [](const Scene& s) {
-    return std::tie(s.title, s.seed, s.method, s.accuracy, s.flow, s.diffusion, s.body, s.plunge, s.cores,
-                    s.splitting, s.merging, s.initial, s.time, s.velocity, s.output, s.check);
+    return std::tie(s.title, s.seed, s.method, s.accuracy, s.flow, s.diffusion, s.body, s.plunge,
+                    s.motion, s.cores, s.splitting, s.merging, s.initial, s.time, s.velocity,
+                    s.output, s.check);
   };
   return run(a) == run(b);
 }
@@ -160,6 +188,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path,
   scene.origin = {path, std::string(text), {overrides.begin(), overrides.end()}};
   if (scene.body) check_body(document, *scene.body);
   if (scene.plunge) check_plunge(document, scene);
+  if (scene.motion) check_motion(document, scene);
   refuse_senseless(document, scene);
   choose_missing(document, scene);
   check_time(document, scene.time);
@@ -195,24 +224,26 @@ double edge_of(const SceneBody& body) {
 
 namespace {
 
-double stream_of(const Scene& scene) {
-  return std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
-}
-
 double fastest_plunge(const Scene& scene) {
   if (!scene.plunge) return 0;
   return 2 * std::numbers::pi * scene.plunge->frequency * scene.plunge->amplitude;
 }
 
+/// Of the wall along itself.
+double spinning_wall(const Scene& scene) {
+  return scene.motion ? std::abs(scene.motion->spin) * length_of(*scene.body) / 2 : 0;
+}
+
 }  // namespace
 
 double speed_of(const Scene& scene) {
-  const double stream = stream_of(scene);
-  return stream > 0 ? stream : fastest_plunge(scene);
+  for (const double speed : {speed_of_stream(scene), fastest_plunge(scene)})
+    if (speed > 0) return speed;
+  return spinning_wall(scene);
 }
 
 double fastest_of(const Scene& scene) {
-  return std::hypot(stream_of(scene), fastest_plunge(scene));
+  return std::hypot(speed_of_stream(scene), fastest_plunge(scene)) + spinning_wall(scene);
 }
 
 std::filesystem::path reference_path(const Scene& scene, std::string_view written) {

@@ -30,7 +30,13 @@ enum class TimeScheme { rk2, rk4 };
 enum class VelocityMethod { fmm, boxes, direct };
 enum class TreeBuilder { reverse, forward };
 enum class PairCores { mean, source, both };
-enum class ExactAnswer { lamb_oseen, kirchhoff_ellipse, corotating_pair, dipole };
+enum class ExactAnswer {
+  lamb_oseen,
+  kirchhoff_ellipse,
+  corotating_pair,
+  dipole,
+  spinning_cylinder
+};
 
 }  // namespace vortree::io
 
@@ -56,8 +62,8 @@ inline constexpr std::array<std::string_view, 2> words_of<io::TreeBuilder>{"reve
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<io::PairCores>{"mean", "source", "both"};
 template <>
-inline constexpr std::array<std::string_view, 4> words_of<io::ExactAnswer>{
-    "lamb_oseen", "kirchhoff_ellipse", "corotating_pair", "dipole"};
+inline constexpr std::array<std::string_view, 5> words_of<io::ExactAnswer>{
+    "lamb_oseen", "kirchhoff_ellipse", "corotating_pair", "dipole", "spinning_cylinder"};
 
 }  // namespace vortree
 
@@ -94,6 +100,12 @@ struct ScenePlunge {
   double amplitude = 0, frequency = 0;
   Vec2 direction{0, 1};
   bool operator==(const ScenePlunge&) const = default;
+};
+
+/// A circle that turns about its centre at a steady rate, anticlockwise, from t = 0 on.
+struct SceneMotion {
+  double spin = 0;
+  bool operator==(const SceneMotion&) const = default;
 };
 
 /// sigma_0: core of a blob released at the wall, or of an initial blob. A blob wider than sigma_max
@@ -236,6 +248,7 @@ struct Scene {
   SceneDiffusion diffusion{};
   std::optional<SceneBody> body{};
   std::optional<ScenePlunge> plunge{};
+  std::optional<SceneMotion> motion{};
   SceneCores cores{};
   SceneSplitting splitting{};
   SceneMerging merging{};
@@ -287,7 +300,7 @@ bool operator==(const Scene&, const Scene&);
 [[nodiscard]] double edge_of(const SceneBody&);
 
 /// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
-/// greatest of the plunge; 0 without both.
+/// greatest of the plunge; without both that of a wall that spins; 0 without any.
 [[nodiscard]] double speed_of(const Scene&);
 
 /// The fastest that a body and its stream meet, or a little more.

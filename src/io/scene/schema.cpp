@@ -39,6 +39,12 @@ std::vector<Key> keys(ScenePlunge& plunge) {
           "along which it moves, [x, y] of any length but 0")};
 }
 
+std::vector<Key> keys(SceneMotion& motion) {
+  return {key("spin", motion.spin, required(anything), "1/T",
+              "angle a unit of time by which a circle turns about its centre, anticlockwise, in "
+              "radians")};
+}
+
 std::vector<Key> keys(SceneDiffusion& diffusion) {
   return {key("kind", diffusion.kind,
               "how vorticity spreads: cores widen, or they stay and blobs walk at random or "
@@ -171,12 +177,19 @@ SceneTable maybe(std::string_view name, std::optional<T>& table) {
 }  // namespace
 
 std::vector<SceneTable> tables(Scene& scene) {
-  return {always("flow", true, scene.flow),        maybe("body", scene.body),
-          maybe("plunge", scene.plunge),           always("diffusion", false, scene.diffusion),
-          always("cores", false, scene.cores),     always("splitting", false, scene.splitting),
-          always("merging", false, scene.merging), maybe("initial", scene.initial),
-          always("time", true, scene.time),        always("velocity", false, scene.velocity),
-          always("output", false, scene.output),   always("check", false, scene.check)};
+  return {always("flow", true, scene.flow),
+          maybe("body", scene.body),
+          maybe("plunge", scene.plunge),
+          maybe("motion", scene.motion),
+          always("diffusion", false, scene.diffusion),
+          always("cores", false, scene.cores),
+          always("splitting", false, scene.splitting),
+          always("merging", false, scene.merging),
+          maybe("initial", scene.initial),
+          always("time", true, scene.time),
+          always("velocity", false, scene.velocity),
+          always("output", false, scene.output),
+          always("check", false, scene.check)};
 }
 
 }  // namespace vortree::io

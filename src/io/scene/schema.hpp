@@ -18,6 +18,7 @@ namespace vortree::io {
 [[nodiscard]] std::vector<Key> keys(SceneFlow& flow);
 [[nodiscard]] std::vector<Key> keys(SceneBody& body);
 [[nodiscard]] std::vector<Key> keys(ScenePlunge& plunge);
+[[nodiscard]] std::vector<Key> keys(SceneMotion& motion);
 [[nodiscard]] std::vector<Key> keys(SceneDiffusion& diffusion);
 [[nodiscard]] std::vector<Key> keys(SceneCores& cores);
 [[nodiscard]] std::vector<Key> keys(SceneSplitting& splitting);

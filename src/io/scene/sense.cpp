@@ -174,7 +174,8 @@ void refuse_senseless(const Document& document, const Scene& scene) {
   if (scene.initial) hold_initial(document, scene);
   if (scene.body && !scene.initial && speed_of(scene) == 0)
     document.refuse("flow",
-                    "nothing moves: a body needs a flow.stream, a [plunge] or [initial] vorticity");
+                    "nothing moves: a body needs a flow.stream, a [plunge], a motion.spin or "
+                    "[initial] vorticity");
 }
 
 void refuse_senseless_choice(const Document& document, const Scene& scene) {
