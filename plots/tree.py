@@ -59,6 +59,8 @@ def show(axes, run, cells, blobs, strong, low, size):
 
 
 def last_frame(run):
+    if run.scene.get("method", "vortex") != "vortex":
+        raise Nothing
     with run.hdf5("frames.h5") as file:
         frames = [group for name, group in file.items() if name.startswith("frame_")]
         if not frames:

@@ -4,6 +4,7 @@
 
 using namespace vortree::io;
 using namespace vortree::test;
+using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 
@@ -33,8 +34,8 @@ TEST_CASE("an accuracy chooses what is not written, and only that") {
 
 TEST_CASE("a Reynolds number needs a body and a stream, and no other viscosity beside it") {
   CHECK(refused(with("nu = 1e-3", "reynolds = 10")) ==
-        "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream "
-        "or a [plunge]");
+        "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream, "
+        "[plunge] or motion.spin");
   CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nstream = [1, 0]\nreynolds = 10") +
                      "[body]\nradius = 0.5"),
              StartsWith("cases/ring.toml:5: flow.reynolds is 10, which makes flow.nu 0.1, but that "
@@ -102,4 +103,30 @@ TEST_CASE("a vortex has the keys of its kind, and no others") {
   CHECK(refused(plain + "[check]\nexact = \"dipole\"") ==
         "cases/ring.toml:18: check.exact is \"dipole\"; that needs the table [initial] of kind "
         "\"dipole\"");
+}
+
+TEST_CASE("[motion] is that of a circle, and its speed is the wall's") {
+  const std::string spins = "[motion]\nspin = -4\n", circle = "[body]\nradius = 0.25\n";
+  const Scene scene = parse(plain + circle + spins);
+  CHECK(speed_of(scene) == 1);
+  CHECK(fastest_of(scene) == 1);
+  CHECK(speed_of(parse(plain + circle + spins, {"flow.stream=[3,0]"})) == 3);
+  CHECK(fastest_of(parse(plain + circle + spins, {"flow.stream=[3,0]"})) == 4);
+  CHECK_THAT(refused(plain + spins), Contains("there is no [body]"));
+  CHECK_THAT(refused(plain + "[body]\nshape = \"ellipse\"\nradius = 1\nacross = 0.5\n" + spins),
+             Contains("only a circle can turn in its place, body.shape is \"ellipse\""));
+  CHECK_THAT(refused(plain + circle + "[motion]\n"), Contains("[motion] needs the key spin"));
+}
+
+TEST_CASE("the exact flow around a circle that spins needs fluid at rest") {
+  const std::string scene =
+      "[flow]\nnu = 1e-3\n[cores]\nsigma_0 = 0.05\nsigma_max = 0.1\n[time]\ndt = 0.01\nend = 2\n"
+      "[body]\nradius = 0.25\n[motion]\nspin = 4\n";
+  const std::vector<std::string> asked{"check.exact=spinning_cylinder", "check.velocity_max=0.1"};
+  CHECK(parse(scene, asked).check.exact == ExactAnswer::spinning_cylinder);
+  for (const char* more : {"flow.stream=[1,0]", "plunge={amplitude=1,frequency=1}"}) {
+    auto keys = asked;
+    keys.push_back(more);
+    CHECK_THAT(refused(scene, keys), Contains("that needs [motion] in fluid at rest"));
+  }
 }
