@@ -48,7 +48,7 @@ double difference(double ours, double known) {
 }
 
 void check_drag(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
-  const io::SceneCheck& c = scene.check;
+  const io::CheckSettings& c = scene.check;
   if (!c.drag_reference) return;
   const io::Table reference(io::reference_path(scene, *c.drag_reference));
   const Value drag = off(rows, "cd_impulse", {reference, "C_D"}, deviation);
@@ -65,7 +65,8 @@ void check_drag(std::vector<Verdict>& list, const io::Scene& scene, const Histor
 }
 
 /// A wake that sheds: its frequency, and its mean drag and lift.
-void check_shedding(std::vector<Verdict>& list, const io::SceneCheck& c, const HistoryRows& rows) {
+void check_shedding(std::vector<Verdict>& list, const io::CheckSettings& c,
+                    const HistoryRows& rows) {
   constexpr std::size_t least = 100;  // rows
   const Column t = rows.column("t"), all_lift = rows.column("cl_impulse"),
                all_drag = rows.column("cd_impulse");
@@ -106,7 +107,7 @@ Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const 
 }
 
 void check_forces(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
-  const io::SceneCheck& c = scene.check;
+  const io::CheckSettings& c = scene.check;
   const Column impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
                lift = rows.column("cl_impulse"), wall_lift = rows.column("cl_wall");
   add(list, "routes_max", c.routes_max, [&] {
@@ -165,7 +166,7 @@ Column wall_deviations(const io::Scene& scene, const std::filesystem::path& fold
 void check_wall(std::vector<Verdict>& list, const io::Scene& scene,
                 const std::filesystem::path& folder, const flow::Scales& scales,
                 const HistoryRows& rows) {
-  const io::SceneCheck& c = scene.check;
+  const io::CheckSettings& c = scene.check;
   if (!c.wall_vorticity_reference) return;
   const Column off = wall_deviations(scene, folder, scales);
   const auto reached = [&](double number) -> Reached {

@@ -27,18 +27,18 @@ double multiplied_in(const io::Scene& scene, double time) {
 
 /// Blobs of the lattice that the initial vorticity is cut into.
 double lattice_blobs(const io::Scene& scene) {
-  const io::SceneInitial& i = *scene.initial;
+  const vortex::InitialSettings& i = *scene.initial;
   const double h = i.spacing * scene.cores.sigma_0, s2 = scene.cores.sigma_0 * scene.cores.sigma_0;
   const double across = io::across(i);
   const double vortices = i.separation ? 2 : 1;
-  if (i.kind == io::InitialKind::kirchhoff_ellipse)
+  if (i.kind == vortex::InitialKind::kirchhoff_ellipse)
     return std::numbers::pi * (i.core + h) * (across + h) / (h * h);
   const double p = std::sqrt(i.core * i.core - s2), q = std::sqrt(across * across - s2);
   return vortices * (std::numbers::pi * p * q * -std::log(i.faintest) / (h * h) + 1);
 }
 
 double free_blobs(const io::Scene& scene) {
-  const io::SceneInitial& i = *scene.initial;
+  const vortex::InitialSettings& i = *scene.initial;
   const double start = lattice_blobs(scene), most2 = scene.cores.sigma_max * scene.cores.sigma_max;
   if (!io::spreads_cores(scene)) return start;
   if (scene.merging.tolerance == 0) return start * multiplied_in(scene, scene.time.end);
@@ -72,7 +72,7 @@ double wall_blobs(const io::Scene& scene, double steps) {
   return scene.body->panels + io::crowding(scene) * 1.5 * wake_area(scene) / most2;
 }
 
-double picture_points(const io::SceneOutput& output) {
+double picture_points(const flow::OutputSettings& output) {
   if (output.fields.empty()) return 0;
   const auto [x0, y0, x1, y1] = *output.window;
   const double h = *output.field_spacing;
@@ -107,9 +107,8 @@ Cost cost_of(const io::Scene& scene) {
   c.wall_bytes = 2 * 8 * (panels + 1) * (panels + 1);
   c.bytes = bytes_a_blob * c.blobs + c.wall_bytes + bytes_a_point * picture_points(scene.output);
   c.setup = 2.0 / 3 * panels * panels * panels / operations_a_second;
-  const double sums = scene.time.scheme == io::TimeScheme::rk4 ? 2 : 1,
-               mean = (start + c.blobs) / 2;
-  const bool direct = scene.velocity.method == io::VelocityMethod::direct;
+  const double sums = scene.time.scheme == flow::Scheme::rk4 ? 2 : 1, mean = (start + c.blobs) / 2;
+  const bool direct = scene.velocity.method == fmm::Method::direct;
   const double velocities = direct ? 10 * mean * mean / operations_a_second : mean / blobs_a_second;
   const double solves = 4 * panels * panels / operations_a_second;
   const double pictures = static_cast<double>(scene.output.fields.size()) *

@@ -15,7 +15,7 @@ namespace {
 /// cores in several directions.
 void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
                       const flow::Solver& solver, const HistoryRows& rows) {
-  const io::SceneCheck& c = scene.check;
+  const io::CheckSettings& c = scene.check;
   if (c.exact != io::ExactAnswer::lamb_oseen || !scene.initial || rows.T().empty()) return;
   const exact::LambOseen vortex{scene.initial->circulation, scene.initial->core, scene.flow.nu};
   const double t = rows.column("t").back();
@@ -49,7 +49,7 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
 /// What free space keeps, from the first row of the report on.
 void check_invariants(std::vector<Verdict>& list, const io::Scene& scene,
                       const flow::Scales& scales, const HistoryRows& rows) {
-  const io::SceneCheck& c = scene.check;
+  const io::CheckSettings& c = scene.check;
   if (!c.circulation_max && !c.impulse_max && !c.second_moment_max) return;
   const Column gamma = rows.column("circulation"), x = rows.column("impulse_x"),
                y = rows.column("impulse_y"), second = rows.column("second_moment"),
@@ -92,7 +92,7 @@ Column turned(const HistoryRows& rows) {
 }
 
 void check_kirchhoff(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
-  const io::SceneInitial& i = *scene.initial;
+  const vortex::InitialSettings& i = *scene.initial;
   const exact::KirchhoffEllipse ellipse{i.circulation, i.core, *i.core_across};
   add(list, "rotation_max", scene.check.rotation_max, [&]() -> Reached {
     const Column angle = turned(rows), t = rows.column("t");
@@ -102,7 +102,7 @@ void check_kirchhoff(std::vector<Verdict>& list, const io::Scene& scene, const H
 }
 
 exact::VortexPair pair_of(const io::Scene& scene) {
-  const io::SceneInitial& i = *scene.initial;
+  const vortex::InitialSettings& i = *scene.initial;
   return {i.circulation, i.core, *i.separation, scene.flow.nu};
 }
 
@@ -154,7 +154,7 @@ Reached moments_off(const HistoryRows& rows, const io::Table& reference,
 
 /// Quadrupole and separation at the times of a reference.
 void check_moments(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
-  const io::SceneCheck& c = scene.check;
+  const io::CheckSettings& c = scene.check;
   if (!c.moments_reference) return;
   const io::Table reference(io::reference_path(scene, *c.moments_reference));
   add(list, "quadrupole_max", c.quadrupole_max, [&] {

@@ -38,7 +38,7 @@ std::complex<double> at_frequency(const Column& t, const Column& values, Periods
 }
 
 /// In fluid at rest, where drag is the force along the plunge.
-void check_morison(std::vector<Verdict>& list, const io::SceneCheck& c, const Column& t,
+void check_morison(std::vector<Verdict>& list, const io::CheckSettings& c, const Column& t,
                    const Column& force, Periods periods, double omega, const flow::Scales& scales) {
   constexpr double pi = std::numbers::pi;
   const auto off = [&](double value, const std::optional<double>& known) -> Reached {

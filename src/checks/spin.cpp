@@ -8,7 +8,7 @@
 namespace vortree::checks {
 
 void check_spin(std::vector<Verdict>& list, const io::Scene& scene, const flow::Solver& solver) {
-  const io::SceneCheck& c = scene.check;
+  const io::CheckSettings& c = scene.check;
   if (c.exact != io::ExactAnswer::spinning_cylinder) return;
   constexpr int rays = 7, places = 60;
   const exact::SpinningCylinder cylinder{scene.motion->spin, *scene.body->radius, scene.flow.nu};

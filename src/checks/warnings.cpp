@@ -74,7 +74,7 @@ void doubt_step(List& list, const io::Scene& scene) {
         1 / (dt * scene.plunge->frequency), 0.01 / scene.plunge->frequency));
 }
 
-void doubt_panels(List& list, const io::SceneBody& body, double thin) {
+void doubt_panels(List& list, const body::BodySettings& body, double thin) {
   const double around = io::perimeter_of(body), panel = around / body.panels;
   if (panel > 6 * thin)
     list.push_back(fmt::format(
@@ -98,14 +98,14 @@ void doubt_body(List& list, const io::Scene& scene) {
   doubt_panels(list, *scene.body, scene.cores.sigma_0);
 }
 
-void doubt_initial(List& list, const io::SceneInitial& i, double core) {
+void doubt_initial(List& list, const vortex::InitialSettings& i, double core) {
   if (i.spacing > 1.4)
     list.push_back(
         fmt::format("initial.spacing = {:.2g}: blobs so many cores apart leave gaps, an error of "
                     "{:.1g} of the vorticity from the start; 1 leaves 2e-4",
                     i.spacing, 4 * std::exp(-std::pow(std::numbers::pi / i.spacing, 2))));
   const double thin = io::least_width(i);
-  if (i.kind == io::InitialKind::kirchhoff_ellipse && core > 0.3 * thin)
+  if (i.kind == vortex::InitialKind::kirchhoff_ellipse && core > 0.3 * thin)
     list.push_back(
         fmt::format("cores.sigma_0 = {:.3g}: the vortex's edge is as wide, and its half width is "
                     "{:.3g}; {:.2g} "
@@ -128,10 +128,10 @@ void doubt_initial(List& list, const io::SceneInitial& i, double core) {
 }
 
 void doubt_vortex(List& list, const io::Scene& scene) {
-  const io::SceneInitial& i = *scene.initial;
+  const vortex::InitialSettings& i = *scene.initial;
   const double width = io::least_width(i);
   const double turn = io::turn_of_vortex(scene);
-  const double most = scene.time.scheme == io::TimeScheme::rk4 ? 1 : 0.5;
+  const double most = scene.time.scheme == flow::Scheme::rk4 ? 1 : 0.5;
   if (turn > most)
     list.push_back(fmt::format(
         "time.dt = {:.3g}: the vortex turns by {:.2g} rad a step; blobs will fly off it; {:.2g} "

@@ -75,7 +75,7 @@ void doubt_spreading(List& list, const io::Scene& scene) {
     const double speed = io::fastest_of(scene);
     doubt_merging(list, scene, 0.5 * speed, 0.04 * speed);
   } else if (scene.initial) {
-    const io::SceneInitial& i = *scene.initial;
+    const vortex::InitialSettings& i = *scene.initial;
     const double swirl = io::mean_vorticity(i) * io::least_width(i) / 2;
     doubt_merging(list, scene, 0.1 * swirl, 4e-4 * swirl);
   }
@@ -83,12 +83,12 @@ void doubt_spreading(List& list, const io::Scene& scene) {
 
 void doubt_other_diffusion(List& list, const io::Scene& scene) {
   const double step = std::sqrt(4 * scene.flow.nu * scene.time.dt), core = scene.cores.sigma_0;
-  if (scene.diffusion.kind == io::DiffusionKind::random_walk && step > core)
+  if (scene.diffusion.kind == vortex::Diffusion::random_walk && step > core)
     list.push_back(fmt::format(
         "time.dt = {:.3g}: blobs walk {:.2g} a step, farther than their cores, {:.2g}; {:.2g} is "
         "right",
         scene.time.dt, step, core, 0.25 * core * core / (4 * scene.flow.nu)));
-  if (scene.diffusion.kind == io::DiffusionKind::particle_exchange && scene.initial &&
+  if (scene.diffusion.kind == vortex::Diffusion::particle_exchange && scene.initial &&
       scene.initial->spacing > 1)
     list.push_back(fmt::format(
         "initial.spacing = {:.2g}: blobs farther apart than their cores miss neighbors to exchange "
@@ -96,8 +96,8 @@ void doubt_other_diffusion(List& list, const io::Scene& scene) {
         scene.initial->spacing));
 }
 
-void doubt_sums(List& list, const io::SceneVelocity& velocity) {
-  if (velocity.method == io::VelocityMethod::direct) return;
+void doubt_sums(List& list, const vortex::VelocitySettings& velocity) {
+  if (velocity.method == fmm::Method::direct) return;
   if (velocity.order > 0 && velocity.order < 7)
     list.push_back(fmt::format(
         "velocity.order = {}: so few terms err by some {:.1g}, whatever velocity.tolerance is; 0 "
@@ -131,7 +131,7 @@ std::array<double, 4> place_of_flow(const io::Scene& scene) {
 }
 
 void doubt_output(List& list, const io::Scene& scene) {
-  const io::SceneOutput& output = scene.output;
+  const flow::OutputSettings& output = scene.output;
   if (output.fields.empty()) return;
   const auto [x0, y0, x1, y1] = *output.window;
   const auto flow = place_of_flow(scene);

@@ -13,6 +13,7 @@
 #include "vortex/blobs/invariants.hpp"
 #include "vortex/blobs/outflow.hpp"
 #include "vortex/transport/convect.hpp"
+#include "vortex/transport/diffusion.hpp"
 #include "vortex/wall/wall.hpp"
 
 namespace vortree::vortex {
@@ -33,11 +34,6 @@ struct Flow {
   }
 };
 
-/// How vorticity diffuses: wider cores that split and merge; blobs that walk at random
-/// (random_walk.hpp); blobs that exchange circulation (particle_exchange.hpp). The last two are for
-/// free space.
-enum class Diffusion { core_spreading, random_walk, particle_exchange };
-
 /// What a step needs to know, besides the blobs.
 ///
 /// time      when the step begins; for velocity_at, now [s]
@@ -55,7 +51,7 @@ struct Problem {
   Flow flow;
   double dt;
   double time = 0;
-  Scheme scheme = Scheme::rk2;
+  flow::Scheme scheme = flow::Scheme::rk2;
   std::size_t most_blobs = 20'000'000;
   double carrying_cores = 1;
   double sigma_0;

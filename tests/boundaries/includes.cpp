@@ -34,7 +34,7 @@ const std::map<std::string, Permit>& permits() {
       {"flow", {{"flow", "base", "tree", "tree/base"}, {}}},
       {"vortex", {{"vortex", "flow", "body", "base", "fmm", "tree/base", "tree"}, {"Eigen/"}}},
       {"sph", {{"sph", "base", "tree", "tree/base"}, {"Eigen/"}}},
-      {"io", {{"io", "flow", "base", "tree/base"}, {anything}}},
+      {"io", {{"io", "vortex", "flow", "body", "base", "tree/base"}, {anything}}},
       {"checks", {{"checks", "flow", "io", "exact", "base"}, {"fmt/", "fftw3.h"}}},
       {"bench", {{"bench", "sph", "fmm", "base", "tree", "tree/base"}, {anything}}},
       {"app/loop",

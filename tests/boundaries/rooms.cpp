@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -58,4 +59,22 @@ TEST_CASE("each room has a sentence on the page of its part, and each sentence i
     CAPTURE(part);
     CHECK(told == there);
   }
+}
+
+TEST_CASE("an enumeration is defined once: neither its name nor its values stand anywhere else") {
+  const std::regex definition(R"(enum class (\w+)\s*(?::[^{]*)?\{([^}]*)\})"), blanks(R"(\s+)");
+  std::map<std::string, std::string> names, values;  // where each was found first
+  for (const char* part : {"tree", "fmm", "src"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / part)) {
+      const std::string suffix = entry.path().extension().string();
+      if (suffix != ".hpp" && suffix != ".cpp") continue;
+      const std::string text = text_of(entry.path()), file = entry.path().string();
+      for (std::sregex_iterator one(text.begin(), text.end(), definition), end; one != end; ++one) {
+        const std::string list = std::regex_replace((*one)[2].str(), blanks, "");
+        CAPTURE(file, (*one)[1].str(), list);
+        CHECK(names.emplace((*one)[1], file).second);
+        CHECK(values.emplace(list, file).second);
+      }
+    }
+  CHECK(names.size() > 12);
 }

@@ -20,7 +20,7 @@ const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Metho
 Problem free_vortex(double sigma_max, double tolerance) {
   return {.flow = {{}, nu},
           .dt = 0.02,
-          .scheme = vortex::Scheme::rk4,
+          .scheme = flow::Scheme::rk4,
           .sigma_0 = 0.04,
           .splitting = {sigma_max},
           .merging = {.tolerance = tolerance, .sigma_max = 1.1 * sigma_max},

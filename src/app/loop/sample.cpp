@@ -11,7 +11,7 @@ std::vector<double> axis(double first, double last, double step) {
 
 }  // namespace
 
-io::Field picture(const flow::Solver& solver, const io::SceneOutput& output) {
+io::Field picture(const flow::Solver& solver, const flow::OutputSettings& output) {
   const auto [x0, y0, x1, y1] = *output.window;
   const double h = *output.field_spacing;
   const std::vector<double> columns = axis(x0, x1, h), rows = axis(y0, y1, h);

@@ -7,6 +7,6 @@
 namespace vortree::app {
 
 /// Velocity and vorticity on the grid of the scene's [output] window; both 0 within a body.
-io::Field picture(const flow::Solver& solver, const io::SceneOutput& output);
+io::Field picture(const flow::Solver& solver, const flow::OutputSettings& output);
 
 }  // namespace vortree::app

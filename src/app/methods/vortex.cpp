@@ -20,48 +20,23 @@ Vec2 vec(const io::Vec2& a) {
   return {a[0], a[1]};
 }
 
-fmm::Method method_of(io::VelocityMethod method) {
-  switch (method) {
-    case io::VelocityMethod::direct:
-      return fmm::Method::direct;
-    case io::VelocityMethod::boxes:
-      return fmm::Method::boxes;
-    case io::VelocityMethod::fmm:
-      break;
-  }
-  return fmm::Method::fmm;
-}
-
-fmm::Options sums_of(const io::SceneVelocity& v) {
+fmm::Options sums_of(const vortex::VelocitySettings& v) {
   return {
       .tolerance = v.tolerance,
       .order = v.order,
       .capacity = static_cast<std::uint32_t>(v.capacity),
       .finest_level = v.finest_level,
-      .builder =
-          v.builder == io::TreeBuilder::reverse ? fmm::Builder::reverse : fmm::Builder::forward,
-      .cores = v.cores == io::PairCores::source ? fmm::Cores::source : fmm::Cores::mean,
-      .method = method_of(v.method),
+      .builder = v.builder,
+      .cores = v.cores == vortex::PairCores::source ? fmm::Cores::source : fmm::Cores::mean,
+      .method = v.method,
   };
 }
 
-vortex::Diffusion diffusion_of(io::DiffusionKind kind) {
-  switch (kind) {
-    case io::DiffusionKind::random_walk:
-      return vortex::Diffusion::random_walk;
-    case io::DiffusionKind::particle_exchange:
-      return vortex::Diffusion::particle_exchange;
-    case io::DiffusionKind::core_spreading:
-      break;
-  }
-  return vortex::Diffusion::core_spreading;
-}
-
-std::unique_ptr<body::Shape> shape_of(const io::SceneBody& body) {
+std::unique_ptr<body::Shape> shape_of(const body::BodySettings& body) {
   const double incidence = body.incidence * std::numbers::pi / 180;
-  if (body.shape == io::Shape::ellipse)
+  if (body.shape == body::ShapeKind::ellipse)
     return body::ellipse({}, *body.radius, *body.across, incidence);
-  if (body.shape == io::Shape::naca0012)
+  if (body.shape == body::ShapeKind::naca0012)
     return body::naca0012({}, *body.chord, io::edge_of(body), incidence);
   return body::circle({}, *body.radius);
 }
@@ -70,11 +45,11 @@ Vec2 unit(const io::Vec2& a) {
   return (1 / std::hypot(a[0], a[1])) * vec(a);
 }
 
-body::Plunge plunge_of(const io::ScenePlunge& plunge) {
+body::Plunge plunge_of(const body::PlungeSettings& plunge) {
   return {plunge.amplitude * unit(plunge.direction), plunge.frequency};
 }
 
-std::optional<vortex::Box> box_of(const io::SceneMerging& merging) {
+std::optional<vortex::Box> box_of(const vortex::MergingSettings& merging) {
   if (!merging.box) return std::nullopt;
   const auto [x0, y0, x1, y1] = *merging.box;
   return vortex::Box{{x0, y0}, {x1, y1}};
@@ -86,7 +61,8 @@ vortex::Origin origin_of(const io::Scene& scene) {
 }
 
 /// One vortex on the left, and one of circulation `right` on the right.
-vortex::Blobs two_vortices(vortex::Lattice lattice, const io::SceneInitial& i, double right) {
+vortex::Blobs two_vortices(vortex::Lattice lattice, const vortex::InitialSettings& i,
+                           double right) {
   const Vec2 half{0.5 * *i.separation, 0};
   const Vec2 centre = lattice.centre;
   lattice.centre = centre - half;
@@ -101,21 +77,21 @@ vortex::Blobs two_vortices(vortex::Lattice lattice, const io::SceneInitial& i, d
 /// The vorticity at t = 0, as seen from the flow's origin.
 vortex::Blobs initial_blobs(const io::Scene& scene) {
   if (!scene.initial) return {};
-  const io::SceneInitial& i = *scene.initial;
+  const vortex::InitialSettings& i = *scene.initial;
   const vortex::Lattice lattice{vec(i.centre) - origin_of(scene).start, scene.cores.sigma_0,
                                 i.spacing * scene.cores.sigma_0, i.faintest};
   switch (i.kind) {
-    case io::InitialKind::gaussian_ellipse:
+    case vortex::InitialKind::gaussian_ellipse:
       return vortex::gaussian_ellipse(lattice, i.circulation, i.core, *i.core_across);
-    case io::InitialKind::kirchhoff_ellipse:
+    case vortex::InitialKind::kirchhoff_ellipse:
       return vortex::uniform_ellipse(lattice, i.circulation, i.core, *i.core_across);
-    case io::InitialKind::corotating_pair:
+    case vortex::InitialKind::corotating_pair:
       return two_vortices(lattice, i, i.circulation);
-    case io::InitialKind::dipole:
+    case vortex::InitialKind::dipole:
       return two_vortices(lattice, i, -i.circulation);
-    case io::InitialKind::tripole:
+    case vortex::InitialKind::tripole:
       return vortex::perturbed_vortex(lattice, i.circulation, i.core, *i.perturbation);
-    case io::InitialKind::lamb_oseen:
+    case vortex::InitialKind::lamb_oseen:
       break;
   }
   return vortex::gaussian_ellipse(lattice, i.circulation, i.core, i.core);
@@ -137,11 +113,10 @@ vortex::Setup vortex_setup(const io::Scene& scene, const flow::Scales& scales) {
                scene.plunge ? plunge_of(*scene.plunge) : body::Plunge{},
                {scene.motion ? scene.motion->spin : 0}},
       .dt = scene.time.dt,
-      .scheme =
-          scene.time.scheme == io::TimeScheme::rk4 ? vortex::Scheme::rk4 : vortex::Scheme::rk2,
-      .carrying_cores = scene.velocity.cores == io::PairCores::both ? std::numbers::sqrt2 : 1,
+      .scheme = scene.time.scheme,
+      .carrying_cores = scene.velocity.cores == vortex::PairCores::both ? std::numbers::sqrt2 : 1,
       .sigma_0 = scene.cores.sigma_0,
-      .diffusion = diffusion_of(scene.diffusion.kind),
+      .diffusion = scene.diffusion.kind,
       .area = scene.initial ? std::pow(scene.initial->spacing * scene.cores.sigma_0, 2) : 0,
       .splitting = {.sigma_max = scene.cores.sigma_max,
                     .alpha = scene.splitting.alpha,

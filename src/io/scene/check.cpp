@@ -39,19 +39,19 @@ template <ExactAnswer answer>
 bool exact(const Scene& s) {
   return s.check.exact == answer;
 }
-template <std::optional<double> SceneCheck::*known>
+template <std::optional<double> CheckSettings::*known>
 bool beside(const Scene& s) {
   return s.body && s.check.*known;
 }
 
 struct Need {
   std::string_view key;
-  std::optional<double> SceneCheck::*asked;
+  std::optional<double> CheckSettings::*asked;
   bool (*held)(const Scene&);
   std::string_view words;
 };
 
-using C = SceneCheck;
+using C = CheckSettings;
 constexpr std::string_view reference = "[body] and check.drag_reference";
 constexpr std::string_view known_field = "check.exact = \"lamb_oseen\" or \"spinning_cylinder\"";
 constexpr std::string_view wall_reference = "[body] and check.wall_vorticity_reference";
@@ -117,7 +117,7 @@ Key file(std::string_view name, std::optional<std::string>& target, std::string_
   return key(name, target, anything, "", says);
 }
 
-std::vector<Key> against_references(SceneCheck& c) {
+std::vector<Key> against_references(CheckSettings& c) {
   return {file("drag_reference", c.drag_reference,
                "CSV file of T and C_D, of L_over_D and sep_deg if they are checked; its place is "
                "as seen from the scene's"),
@@ -141,7 +141,7 @@ std::vector<Key> against_references(SceneCheck& c) {
                "the angle counts from this T on, 0 if not written")};
 }
 
-std::vector<Key> of_forces(SceneCheck& c) {
+std::vector<Key> of_forces(CheckSettings& c) {
   return {
       most("lift_max", c.lift_max, "largest lift coefficient by either route, as it is"),
       most("routes_max", c.routes_max,
@@ -151,7 +151,7 @@ std::vector<Key> of_forces(SceneCheck& c) {
       most("lift_routes_max", c.lift_routes_max, "the same of lift, relative to the largest lift")};
 }
 
-std::vector<Key> of_free_space(SceneCheck& c) {
+std::vector<Key> of_free_space(CheckSettings& c) {
   return {key("exact", c.exact,
               "the answer known by heart that the initial vortex of this kind, or a circle that "
               "spins in fluid at rest, is held against"),
@@ -185,7 +185,7 @@ std::vector<Key> of_free_space(SceneCheck& c) {
                "to that at the start")};
 }
 
-std::vector<Key> of_shedding(SceneCheck& c) {
+std::vector<Key> of_shedding(CheckSettings& c) {
   return {
       key("strouhal", c.strouhal, positive, "",
           "of a wake that sheds: the highest peak of the lift's spectrum, times D/U"),
@@ -198,7 +198,7 @@ std::vector<Key> of_shedding(SceneCheck& c) {
       from("shedding_from", c.shedding_from, "the wake counts from this T on, 0 if not written")};
 }
 
-std::vector<Key> of_plunge(SceneCheck& c) {
+std::vector<Key> of_plunge(CheckSettings& c) {
   return {
       key("morison_drag", c.morison_drag, positive, "",
           "of a body that plunges in fluid at rest: C_D of its drag against the velocity"),
@@ -212,13 +212,13 @@ std::vector<Key> of_plunge(SceneCheck& c) {
       from("plunge_from", c.plunge_from, "whole periods count from this T on, 0 if not written")};
 }
 
-std::vector<Key> of_cost(SceneCheck& c) {
+std::vector<Key> of_cost(CheckSettings& c) {
   return {most("blobs_max", c.blobs_max, "most blobs that there may be at any step")};
 }
 
 }  // namespace
 
-std::vector<Key> keys(SceneCheck& check) {
+std::vector<Key> keys(CheckSettings& check) {
   std::vector<Key> all;
   for (const auto part :
        {against_references, of_forces, of_free_space, of_shedding, of_plunge, of_cost})

@@ -67,7 +67,7 @@ Choice past_body(const Scene& scene, double e) {
   c.reach = 3;
   c.cap = 1.2;
   c.velocity = std::clamp(e / 1000, 1e-12, 1e-3);
-  const double around = scene.body->shape == Shape::naca0012
+  const double around = scene.body->shape == body::ShapeKind::naca0012
                             ? perimeter_of(*scene.body)
                             : std::max(perimeter_of(*scene.body), std::numbers::pi * length);
   const double tips = perimeter_of(*scene.body) / (panel_at_tip * tip_radius(*scene.body));
@@ -77,7 +77,7 @@ Choice past_body(const Scene& scene, double e) {
 }
 
 Choice free_vortex(const Scene& scene, double e) {
-  const SceneInitial& i = *scene.initial;
+  const vortex::InitialSettings& i = *scene.initial;
   const double width = least_width(i);
   const double omega = mean_vorticity(i);
   Choice c{};
@@ -87,8 +87,8 @@ Choice free_vortex(const Scene& scene, double e) {
   if (scene.flow.nu > 0) c.dt = std::min(c.dt, c.sigma_max * c.sigma_max / (4 * scene.flow.nu));
   c.dt = fitted_step(scene, c.dt);
   c.merging = 0.02 * e * width * omega;
-  c.reach = SceneMerging{}.reach;
-  c.cap = SceneMerging{}.cap;
+  c.reach = vortex::MergingSettings{}.reach;
+  c.cap = vortex::MergingSettings{}.cap;
   c.velocity = std::clamp(e / 1000, 1e-12, 1e-4);
   return c;
 }
@@ -115,7 +115,7 @@ void choose_missing(const Document& document, Scene& scene) {
     fill("velocity", "tolerance", scene.velocity.tolerance, c.velocity);
     if (body) {
       fill("body", "panels", scene.body->panels, c.panels);
-      fill("velocity", "cores", scene.velocity.cores, PairCores::both);
+      fill("velocity", "cores", scene.velocity.cores, vortex::PairCores::both);
     }
   }
   const auto require = [&](std::string_view table, std::string_view key, double value) {

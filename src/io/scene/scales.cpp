@@ -6,8 +6,8 @@
 
 namespace vortree::io {
 
-double tip_radius(const SceneBody& body) {
-  if (body.shape == Shape::naca0012) return edge_of(body) * length_of(body);
+double tip_radius(const body::BodySettings& body) {
+  if (body.shape == body::ShapeKind::naca0012) return edge_of(body) * length_of(body);
   const double a = *body.radius, b = body.across.value_or(a);
   return std::min(a * a / b, b * b / a);
 }
@@ -18,16 +18,16 @@ double boundary_layer(const Scene& scene) {
   return std::sqrt(scene.flow.nu * length_of(*scene.body) / speed);
 }
 
-double across(const SceneInitial& initial) {
+double across(const vortex::InitialSettings& initial) {
   return initial.core_across.value_or(initial.core);
 }
 
-double least_width(const SceneInitial& initial) {
+double least_width(const vortex::InitialSettings& initial) {
   return std::min(initial.core, across(initial));
 }
 
 bool spreads_cores(const Scene& scene) {
-  return scene.flow.nu > 0 && scene.diffusion.kind == DiffusionKind::core_spreading;
+  return scene.flow.nu > 0 && scene.diffusion.kind == vortex::Diffusion::core_spreading;
 }
 
 double crowding(const Scene& scene) {
@@ -41,7 +41,7 @@ double crowding(const Scene& scene) {
   return tolerance > 0 ? std::sqrt(std::clamp(usual / tolerance, 1.0, 1e6)) : 1;
 }
 
-double mean_vorticity(const SceneInitial& initial) {
+double mean_vorticity(const vortex::InitialSettings& initial) {
   return std::abs(initial.circulation) / (std::numbers::pi * initial.core * across(initial));
 }
 
@@ -55,8 +55,8 @@ double turn_of_vortex(const Scene& scene) {
 }
 
 double turn_at_tip(const Scene& scene) {
-  if (!scene.body || scene.body->shape == Shape::circle) return 0;
-  const SceneBody& body = *scene.body;
+  if (!scene.body || scene.body->shape == body::ShapeKind::circle) return 0;
+  const body::BodySettings& body = *scene.body;
   const double turned = body.incidence * std::numbers::pi / 180;
   const bool upright = body.across.value_or(0) > body.radius.value_or(INFINITY);
   const Vec2 long_way = upright ? Vec2{std::sin(turned), std::cos(turned)}

@@ -6,7 +6,7 @@ namespace vortree::io {
 
 /// The smallest radius of a body's curvature: across^2/radius at the tips of an ellipse, the
 /// trailing edge of a foil.
-[[nodiscard]] double tip_radius(const SceneBody& body);
+[[nodiscard]] double tip_radius(const body::BodySettings& body);
 
 /// Panels so many radii of a tip long have the sheet of a stream around it right to 5e-4; of 1.5,
 /// to 1 %, of 3, to 10 %; of 10 and more, hardly its sign (measured on ellipses of 5 : 1 to 50 : 1
@@ -17,8 +17,8 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 [[nodiscard]] double boundary_layer(const Scene& scene);
 
 /// Half widths of the initial vortex, or of each of two: across it, and the lesser of both.
-[[nodiscard]] double across(const SceneInitial& initial);
-[[nodiscard]] double least_width(const SceneInitial& initial);
+[[nodiscard]] double across(const vortex::InitialSettings& initial);
+[[nodiscard]] double least_width(const vortex::InitialSettings& initial);
 
 /// Blobs widen, and are split: there is viscosity, and it acts by core spreading.
 [[nodiscard]] bool spreads_cores(const Scene& scene);
@@ -30,7 +30,7 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 [[nodiscard]] double crowding(const Scene& scene);
 
 /// Mean vorticity of the initial vortex, or of each of two, without its sign.
-[[nodiscard]] double mean_vorticity(const SceneInitial& initial);
+[[nodiscard]] double mean_vorticity(const vortex::InitialSettings& initial);
 
 /// By how much vorticity turns in a step [rad]: 2 U dt/layer at the wall, half its vorticity times
 /// dt in a free vortex.

@@ -38,7 +38,7 @@ void require_reference(const Document& document, const Scene& scene, std::string
 }
 
 void check_output(const Document& document, const Scene& scene) {
-  const SceneOutput& output = scene.output;
+  const flow::OutputSettings& output = scene.output;
   if (output.frames < scene.time.dt) {
     document.refuse("output.frames", fmt::format("output.frames is {}; it must be >= time.dt = {}",
                                                  output.frames, scene.time.dt));
@@ -66,9 +66,10 @@ void check_output(const Document& document, const Scene& scene) {
 }
 
 /// Widths are those of Gaussians that blobs can make up; what a kind needs is there, and no more.
-void check_initial(const Document& document, const SceneInitial& initial, double sigma_0) {
-  using enum InitialKind;
-  const InitialKind kind = initial.kind;
+void check_initial(const Document& document, const vortex::InitialSettings& initial,
+                   double sigma_0) {
+  using enum vortex::InitialKind;
+  const vortex::InitialKind kind = initial.kind;
   if (kind != kirchhoff_ellipse)
     for (const auto& [key, width] : {std::pair{"initial.core", std::optional(initial.core)},
                                      std::pair{"initial.core_across", initial.core_across}})
@@ -88,7 +89,7 @@ void check_initial(const Document& document, const SceneInitial& initial, double
 }
 
 /// The keys that a shape has.
-void check_body(const Document& document, const SceneBody& body) {
+void check_body(const Document& document, const body::BodySettings& body) {
   const auto belongs = [&](const char* key, const std::optional<double>& value, bool known,
                            bool needed) {
     if (value ? !known : needed)
@@ -96,7 +97,8 @@ void check_body(const Document& document, const SceneBody& body) {
                       fmt::format("body.shape is {}; that {} the key body.{}",
                                   quote(word(body.shape)), value ? "does not have" : "needs", key));
   };
-  const bool foil = body.shape == Shape::naca0012, ellipse = body.shape == Shape::ellipse;
+  const bool foil = body.shape == body::ShapeKind::naca0012,
+             ellipse = body.shape == body::ShapeKind::ellipse;
   belongs("radius", body.radius, !foil, !foil);
   belongs("across", body.across, ellipse, ellipse);
   belongs("chord", body.chord, foil, foil);
@@ -113,7 +115,7 @@ void check_plunge(const Document& document, const Scene& scene) {
 
 void check_motion(const Document& document, const Scene& scene) {
   if (!scene.body) document.refuse("motion", "[motion] is how a body moves; there is no [body]");
-  if (scene.body->shape != Shape::circle)
+  if (scene.body->shape != body::ShapeKind::circle)
     document.refuse(
         "motion.spin",
         fmt::format("motion.spin is {}; only a circle can turn in its place, body.shape "
@@ -140,14 +142,14 @@ void check_exact(const Document& document, const Scene& scene) {
 
 /// What several keys must fulfil together.
 void check_together(const Document& document, const Scene& scene) {
-  const SceneCores& cores = scene.cores;
+  const vortex::CoreSettings& cores = scene.cores;
   if (cores.sigma_max < cores.sigma_0) {
     document.refuse("cores.sigma_max",
                     fmt::format("cores.sigma_max is {}; it must be >= cores.sigma_0 = {}",
                                 cores.sigma_max, cores.sigma_0));
   }
   if (scene.initial) check_initial(document, *scene.initial, cores.sigma_0);
-  if (scene.body && scene.diffusion.kind != DiffusionKind::core_spreading)
+  if (scene.body && scene.diffusion.kind != vortex::Diffusion::core_spreading)
     document.refuse("diffusion.kind",
                     fmt::format("diffusion.kind is {}; beside a body vorticity diffuses by "
                                 "core_spreading only",
@@ -206,19 +208,19 @@ bool by_vortices(const Scene& scene) {
   return scene.method == vortices;
 }
 
-double length_of(const SceneBody& body) {
+double length_of(const body::BodySettings& body) {
   return body.chord.value_or(2 * body.radius.value_or(0));
 }
 
-double perimeter_of(const SceneBody& body) {
-  if (body.shape == Shape::naca0012) return 2.05 * length_of(body);
+double perimeter_of(const body::BodySettings& body) {
+  if (body.shape == body::ShapeKind::naca0012) return 2.05 * length_of(body);
   const double a = *body.radius, b = body.across.value_or(a);
   // Ramanujan's second formula: within 4e-4 of any ellipse's.
   const double h = (a - b) * (a - b) / ((a + b) * (a + b));
   return std::numbers::pi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
 }
 
-double edge_of(const SceneBody& body) {
+double edge_of(const body::BodySettings& body) {
   return body.edge.value_or(0.005);
 }
 

@@ -15,19 +15,7 @@
 namespace vortree::io {
 
 /// The keys of a table, in the order in which they are read and printed.
-[[nodiscard]] std::vector<Key> keys(SceneFlow& flow);
-[[nodiscard]] std::vector<Key> keys(SceneBody& body);
-[[nodiscard]] std::vector<Key> keys(ScenePlunge& plunge);
-[[nodiscard]] std::vector<Key> keys(SceneMotion& motion);
-[[nodiscard]] std::vector<Key> keys(SceneDiffusion& diffusion);
-[[nodiscard]] std::vector<Key> keys(SceneCores& cores);
-[[nodiscard]] std::vector<Key> keys(SceneSplitting& splitting);
-[[nodiscard]] std::vector<Key> keys(SceneMerging& merging);
-[[nodiscard]] std::vector<Key> keys(SceneInitial& initial);
-[[nodiscard]] std::vector<Key> keys(SceneTime& time);
-[[nodiscard]] std::vector<Key> keys(SceneVelocity& velocity);
-[[nodiscard]] std::vector<Key> keys(SceneOutput& output);
-[[nodiscard]] std::vector<Key> keys(SceneCheck& check);
+[[nodiscard]] std::vector<Key> keys(CheckSettings& check);
 
 /// Those at the top of a scene, outside its tables.
 [[nodiscard]] std::vector<Key> keys(Scene& scene);

@@ -62,7 +62,7 @@ Vec2 seen_from(const Vec2& at, const Vec2& from) {
   return {at[0] - from[0], at[1] - from[1]};
 }
 
-void hold_pair(const Document& document, const SceneInitial& initial, double sigma_0) {
+void hold_pair(const Document& document, const vortex::InitialSettings& initial, double sigma_0) {
   if (!initial.separation || sigma_0 == 0) return;
   const double apart = *initial.separation;
   if (apart < sigma_0)
@@ -78,7 +78,7 @@ void hold_pair(const Document& document, const SceneInitial& initial, double sig
 }
 
 void hold_initial(const Document& document, const Scene& scene) {
-  const SceneInitial& initial = *scene.initial;
+  const vortex::InitialSettings& initial = *scene.initial;
   if (initial.circulation == 0)
     document.refuse("initial.circulation",
                     "initial.circulation is 0; there would be no vorticity to follow");
@@ -118,7 +118,7 @@ void hold_steps(const Document& document, const Scene& scene) {
                                 scene.plunge->frequency, 1 / (scene.plunge->frequency * dt), dt,
                                 0.01 / scene.plunge->frequency));
   if (const double core = scene.cores.sigma_0;
-      scene.diffusion.kind == DiffusionKind::particle_exchange &&
+      scene.diffusion.kind == vortex::Diffusion::particle_exchange &&
       scene.flow.nu * dt > 0.5 * core * core)
     document.refuse("diffusion.kind",
                     fmt::format("diffusion.kind is \"particle_exchange\"; that is unstable for "
@@ -132,7 +132,7 @@ void hold_steps(const Document& document, const Scene& scene) {
                                 dt, turn, dt * good_turn / turn, good_turn));
 }
 
-void hold_tips(const Document& document, const SceneBody& body) {
+void hold_tips(const Document& document, const body::BodySettings& body) {
   const double panel = perimeter_of(body) / body.panels, tip = tip_radius(body);
   if (panel <= blind_at_tip * tip) return;
   document.refuse(
@@ -158,12 +158,12 @@ void hold_box(const Document& document, const std::array<double, 4>& box, const 
 
 }  // namespace
 
-bool covers(const SceneBody& body, const Vec2& point) {
+bool covers(const body::BodySettings& body, const Vec2& point) {
   const auto [x, y] = seen_from(point, body.centre);
   const double turned = body.incidence * std::numbers::pi / 180;
   const double along = std::cos(turned) * x - std::sin(turned) * y,
                across = std::sin(turned) * x + std::cos(turned) * y;
-  const bool foil = body.shape == Shape::naca0012;
+  const bool foil = body.shape == body::ShapeKind::naca0012;
   const double a = foil ? 0.45 * *body.chord : *body.radius,
                b = foil ? 0.04 * *body.chord : body.across.value_or(a);
   return std::hypot(along / a, across / b) < 1;
@@ -193,10 +193,10 @@ void refuse_senseless_choice(const Document& document, const Scene& scene) {
              "the initial vorticity");
 }
 
-Vec2 half_extent(const SceneBody& body) {
+Vec2 half_extent(const body::BodySettings& body) {
   const double turned = body.incidence * std::numbers::pi / 180;
   const double c = std::abs(std::cos(turned)), s = std::abs(std::sin(turned));
-  if (body.shape == Shape::naca0012) {
+  if (body.shape == body::ShapeKind::naca0012) {
     const double along = 0.5 * *body.chord, across = 0.065 * *body.chord;
     return {c * along + s * across, s * along + c * across};
   }
@@ -204,8 +204,8 @@ Vec2 half_extent(const SceneBody& body) {
   return {std::hypot(c * along, s * across), std::hypot(s * along, c * across)};
 }
 
-Vec2 half_extent(const SceneInitial& initial) {
-  const double cores = initial.kind == InitialKind::kirchhoff_ellipse ? 1 : 3;
+Vec2 half_extent(const vortex::InitialSettings& initial) {
+  const double cores = initial.kind == vortex::InitialKind::kirchhoff_ellipse ? 1 : 3;
   return {cores * initial.core + 0.5 * initial.separation.value_or(0), cores * across(initial)};
 }
 

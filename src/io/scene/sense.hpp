@@ -25,12 +25,12 @@ void refuse_senseless(const Document& document, const Scene& scene);
 void refuse_senseless_choice(const Document& document, const Scene& scene);
 
 /// Half the sides of the rectangle, along the axes, that a body just fills, or a little more.
-[[nodiscard]] Vec2 half_extent(const SceneBody& body);
+[[nodiscard]] Vec2 half_extent(const body::BodySettings& body);
 
 /// Whether a point lies within a body; for a foil, in the thick of it.
-[[nodiscard]] bool covers(const SceneBody& body, const Vec2& point);
+[[nodiscard]] bool covers(const body::BodySettings& body, const Vec2& point);
 
 /// How far from the centre initial vorticity reaches in x and y: three cores beyond the outer ones.
-[[nodiscard]] Vec2 half_extent(const SceneInitial& initial);
+[[nodiscard]] Vec2 half_extent(const vortex::InitialSettings& initial);
 
 }  // namespace vortree::io

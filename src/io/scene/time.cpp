@@ -24,7 +24,7 @@ bool met(double t, double dt) {
   return std::abs(steps - std::round(steps)) <= moment_slack;
 }
 
-long last_step(const SceneTime& time) {
+long last_step(const flow::TimeSettings& time) {
   return std::max(1L, std::lround(time.end / time.dt));
 }
 
@@ -44,11 +44,11 @@ double fitted_step(const Scene& scene, double dt) {
   return best;
 }
 
-double usual_frames(const SceneTime& time) {
+double usual_frames(const flow::TimeSettings& time) {
   return time.dt * std::max(1.0, std::round(time.end / 14 / time.dt));
 }
 
-void check_time(const Document& document, const SceneTime& time) {
+void check_time(const Document& document, const flow::TimeSettings& time) {
   if (time.end < time.dt)
     document.refuse("time.end",
                     fmt::format("time.end is {}; it must be >= time.dt = {}", time.end, time.dt));

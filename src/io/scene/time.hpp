@@ -17,7 +17,7 @@ inline constexpr double moment_slack = 1e-6;
 [[nodiscard]] bool met(double t, double dt);
 
 /// The last step of a run, 1 or more: the one nearest to time.end.
-[[nodiscard]] long last_step(const SceneTime& time);
+[[nodiscard]] long last_step(const flow::TimeSettings& time);
 
 /// The moment next to t, as a step; one behind the last if it is later.
 [[nodiscard]] long nearest_step(double t, double dt, long last);
@@ -28,9 +28,9 @@ inline constexpr double moment_slack = 1e-6;
 [[nodiscard]] double fitted_step(const Scene& scene, double dt);
 
 /// The interval of frames that a scene leaves open: end/14, or dt, in whole steps.
-[[nodiscard]] double usual_frames(const SceneTime& time);
+[[nodiscard]] double usual_frames(const flow::TimeSettings& time);
 
 /// throws  InputError if a step is longer than the run, or too short to be counted
-void check_time(const Document& document, const SceneTime& time);
+void check_time(const Document& document, const flow::TimeSettings& time);
 
 }  // namespace vortree::io

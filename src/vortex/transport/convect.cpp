@@ -41,7 +41,7 @@ void add(Velocities& sum, double weight, const Velocities& u) {
 
 }  // namespace
 
-void convect(Blobs& blobs, const Carrying& velocity, const body::Shape* wall, Scheme scheme,
+void convect(Blobs& blobs, const Carrying& velocity, const body::Shape* wall, flow::Scheme scheme,
              double dt, bool strains) {
   const Acting from = acting(blobs, wall);
   Gradients gradients;
@@ -57,7 +57,7 @@ void convect(Blobs& blobs, const Carrying& velocity, const body::Shape* wall, Sc
   Gradients* const wanted = strains ? &gradients : nullptr;
 
   const Velocities k1 = velocity(blobs, from, 0, nullptr);
-  if (scheme == Scheme::rk2) return finish(at(moved(k1, dt / 2), dt / 2, wanted));
+  if (scheme == flow::Scheme::rk2) return finish(at(moved(k1, dt / 2), dt / 2, wanted));
   const Velocities k2 = at(moved(k1, dt / 2), dt / 2);
   const Velocities k3 = at(moved(k2, dt / 2), dt / 2, wanted);
   const Velocities k4 = at(moved(k3, dt), dt);

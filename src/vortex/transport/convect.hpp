@@ -2,13 +2,11 @@
 
 #include <functional>
 
+#include "flow/settings.hpp"
 #include "vortex/blobs/velocities.hpp"
 #include "vortex/cores/folded_centroid.hpp"
 
 namespace vortree::vortex {
-
-/// Order of the time integration: midpoint rule, or the classical Runge-Kutta method.
-enum class Scheme { rk2, rk4 };
 
 /// The velocity with which blobs are carried, at their acting positions, so long after the
 /// beginning of the step; and its gradient there, if wanted.
@@ -25,7 +23,7 @@ using Carrying = std::function<Velocities(const Blobs& blobs, const Acting& acti
 /// in sigma^2.
 /// error   O(dt^2) for rk2, O(dt^4) for rk4, per unit of time; O(dt^2) of the covariance
 /// cost    two, or four, evaluations of the velocity, one with the gradient
-void convect(Blobs& blobs, const Carrying& velocity, const body::Shape* wall, Scheme scheme,
+void convect(Blobs& blobs, const Carrying& velocity, const body::Shape* wall, flow::Scheme scheme,
              double dt, bool strains = false);
 
 }  // namespace vortree::vortex

@@ -163,5 +163,5 @@ TEST_CASE("a table that a scene lacks is made, with its defaults, when its keys 
     CHECK_FALSE(table.keys().empty());
     CHECK(table.present());
   }
-  CHECK(scene.body == SceneBody{});
+  CHECK(scene.body == body::BodySettings{});
 }

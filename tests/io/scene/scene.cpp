@@ -7,17 +7,17 @@ TEST_CASE("a scene says everything that it does not leave to the defaults") {
   const Scene scene = parse(plain);
   CHECK(scene.title == "A vortex");
   CHECK(scene.seed == 1);
-  CHECK(scene.flow == SceneFlow{.nu = 1e-3});
+  CHECK(scene.flow == flow::FlowSettings{.nu = 1e-3});
   CHECK_FALSE(scene.body);
-  CHECK(scene.cores == SceneCores{.sigma_0 = 0.05, .sigma_max = 0.1});
-  CHECK(scene.splitting == SceneSplitting{.alpha = 0.7, .children = 4});
-  CHECK(scene.merging == SceneMerging{.tolerance = 0.02, .reach = 2, .cap = 1.1});
-  CHECK(scene.initial == SceneInitial{.circulation = 1, .core = 0.2, .spacing = 1});
-  CHECK(scene.time == SceneTime{.dt = 0.01, .end = 2, .scheme = TimeScheme::rk2});
-  CHECK(scene.velocity == SceneVelocity{});
-  CHECK(scene.velocity.cores == PairCores::mean);
-  CHECK(scene.output == SceneOutput{.frames = 0.01 * 14});
-  CHECK(scene.check == SceneCheck{});
+  CHECK(scene.cores == vortex::CoreSettings{.sigma_0 = 0.05, .sigma_max = 0.1});
+  CHECK(scene.splitting == vortex::SplittingSettings{.alpha = 0.7, .children = 4});
+  CHECK(scene.merging == vortex::MergingSettings{.tolerance = 0.02, .reach = 2, .cap = 1.1});
+  CHECK(scene.initial == vortex::InitialSettings{.circulation = 1, .core = 0.2, .spacing = 1});
+  CHECK(scene.time == flow::TimeSettings{.dt = 0.01, .end = 2, .scheme = flow::Scheme::rk2});
+  CHECK(scene.velocity == vortex::VelocitySettings{});
+  CHECK(scene.velocity.cores == vortex::PairCores::mean);
+  CHECK(scene.output == flow::OutputSettings{.frames = 0.01 * 14});
+  CHECK(scene.check == CheckSettings{});
 }
 
 TEST_CASE("every key of a scene is read") {
@@ -25,24 +25,24 @@ TEST_CASE("every key of a scene is read") {
   CHECK(scene.title == "tab \t, quote \", Größe");
   CHECK(scene.seed == 77);
   CHECK(scene.flow.stream == Vec2{1, -0.25});
-  CHECK(scene.body == SceneBody{.radius = 1.0 / 3, .centre = {0.1, 0.2}, .panels = 64});
-  CHECK(scene.splitting == SceneSplitting{.alpha = 0.8, .children = 5});
-  CHECK(scene.merging == SceneMerging{.tolerance = 0, .reach = 1.5, .cap = 1.3});
+  CHECK(scene.body == body::BodySettings{.radius = 1.0 / 3, .centre = {0.1, 0.2}, .panels = 64});
+  CHECK(scene.splitting == vortex::SplittingSettings{.alpha = 0.8, .children = 5});
+  CHECK(scene.merging == vortex::MergingSettings{.tolerance = 0, .reach = 1.5, .cap = 1.3});
   CHECK(scene.initial ==
-        SceneInitial{.circulation = -1.5, .core = 0.2, .spacing = 0.9, .centre = {3, 4}});
-  CHECK(scene.time == SceneTime{.dt = 1e-27, .end = 5e-20, .scheme = TimeScheme::rk4});
-  CHECK(scene.velocity == SceneVelocity{.method = VelocityMethod::direct,
+        vortex::InitialSettings{.circulation = -1.5, .core = 0.2, .spacing = 0.9, .centre = {3, 4}});
+  CHECK(scene.time == flow::TimeSettings{.dt = 1e-27, .end = 5e-20, .scheme = flow::Scheme::rk4});
+  CHECK(scene.velocity == vortex::VelocitySettings{.method = fmm::Method::direct,
                                         .tolerance = 1e-14,
                                         .order = 13,
                                         .capacity = 50,
                                         .finest_level = 0,
-                                        .builder = TreeBuilder::forward,
-                                        .cores = PairCores::source});
+                                        .builder = fmm::Builder::forward,
+                                        .cores = vortex::PairCores::source});
   CHECK(scene.output.fields == std::vector<double>{0, 0.5, 1e-3});
   CHECK(scene.output.window == std::array<double, 4>{-1, -2, 3, 4});
   CHECK(scene.output.field_spacing == 0.1);
   CHECK(scene.check ==
-        SceneCheck{.lift_max = 0.01, .exact = ExactAnswer::lamb_oseen, .blobs_max = 100000});
+        CheckSettings{.lift_max = 0.01, .exact = ExactAnswer::lamb_oseen, .blobs_max = 100000});
 }
 
 TEST_CASE("a resolved scene is a scene, and the same one") {
@@ -69,9 +69,9 @@ TEST_CASE("an override wins over the file, and the last one over those before") 
   CHECK(parse(plain, {"flow.nu=0.5"}).flow.nu == 0.5);
   CHECK(parse(plain, {"flow.nu=0.5", "flow.nu = 1"}).flow.nu == 1);
   CHECK(parse(plain, {"flow.stream=[1, 2]"}).flow.stream == Vec2{1, 2});
-  CHECK(parse(plain, {"velocity.method=direct"}).velocity.method == VelocityMethod::direct);
-  CHECK(parse(plain, {"velocity.method=\"direct\""}).velocity.method == VelocityMethod::direct);
+  CHECK(parse(plain, {"velocity.method=direct"}).velocity.method == fmm::Method::direct);
+  CHECK(parse(plain, {"velocity.method=\"direct\""}).velocity.method == fmm::Method::direct);
   CHECK(parse(plain, {"title=Two vortices"}).title == "Two vortices");
-  CHECK(parse(plain, {"body.radius=0.25"}).body == SceneBody{.radius = 0.25});
+  CHECK(parse(plain, {"body.radius=0.25"}).body == body::BodySettings{.radius = 0.25});
   CHECK(parse(plain, {"output.fields=[]"}).output.fields.empty());
 }

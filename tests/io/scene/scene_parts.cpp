@@ -17,7 +17,7 @@ TEST_CASE("an accuracy chooses what is not written, and only that") {
   CHECK(scene.time.dt == Approx(0.02 * 0.25));
   CHECK(scene.cores.sigma_max == Approx(4 * std::sqrt(0.01 * scene.flow.nu * 0.25)));
   CHECK(scene.cores.sigma_0 == Approx(std::sqrt(2 * scene.flow.nu * scene.time.dt)));
-  CHECK(scene.velocity.cores == PairCores::both);
+  CHECK(scene.velocity.cores == vortex::PairCores::both);
   CHECK(parse(resolved(scene)) == scene);
   const Scene finer = parse("accuracy = 0.0025\n" + rest);
   CHECK(finer.cores.sigma_max == Approx(scene.cores.sigma_max / 2));

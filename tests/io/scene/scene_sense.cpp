@@ -72,10 +72,10 @@ TEST_CASE("merging.box holds the body and the initial vorticity, or is refused")
 }
 
 TEST_CASE("a turned ellipse and a foil fill what their outlines reach") {
-  const SceneBody ellipse{.shape = Shape::ellipse, .radius = 0.5, .across = 0.1, .incidence = 90};
+  const body::BodySettings ellipse{.shape = body::ShapeKind::ellipse, .radius = 0.5, .across = 0.1, .incidence = 90};
   CHECK(half_extent(ellipse)[0] == Approx(0.1));
   CHECK(half_extent(ellipse)[1] == Approx(0.5));
-  const SceneBody foil{.shape = Shape::naca0012, .chord = 2};
+  const body::BodySettings foil{.shape = body::ShapeKind::naca0012, .chord = 2};
   CHECK(half_extent(foil)[0] == Approx(1));
   CHECK(half_extent(foil)[1] > 0.06 * 2);
 }

@@ -39,7 +39,7 @@ double largest_error(const Blobs& blobs, Vec2 centre, double a, double b, Omega 
 vortex::Problem inviscid(const fmm::Options& velocity, double dt) {
   return {.flow = {{}, 0},
           .dt = dt,
-          .scheme = vortex::Scheme::rk4,
+          .scheme = flow::Scheme::rk4,
           .carrying_cores = std::numbers::sqrt2,
           .sigma_0 = 1,
           .splitting = {1},

@@ -8,7 +8,7 @@
 using namespace vortree;
 using vortex::Acting;
 using vortex::Blobs;
-using vortex::Scheme;
+using flow::Scheme;
 
 namespace {
 

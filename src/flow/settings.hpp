@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/keys.hpp"
+
+// The tables of a scene that mean the same to every method: [flow], [time], [output].
+
+namespace vortree::flow {
+
+/// Order of the time integration: midpoint rule, or the classical Runge-Kutta method.
+enum class Scheme { rk2, rk4 };
+
+}  // namespace vortree::flow
+
+namespace vortree {
+
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<flow::Scheme>{"rk2", "rk4"};
+
+}  // namespace vortree
+
+namespace vortree::flow {
+
+/// Kinematic viscosity nu >= 0 [L^2/T] and the free stream [L/T]. reynolds = U D/nu gives nu by the
+/// body's size D and the stream's speed U (without one, the greatest of the plunge); a loaded scene
+/// always has nu.
+struct FlowSettings {
+  double nu = 0;
+  std::array<double, 2> stream{0, 0};
+  std::optional<double> reynolds{};
+  bool operator==(const FlowSettings&) const = default;
+};
+
+struct TimeSettings {
+  double dt = 0;
+  double end = 0;
+  Scheme scheme = Scheme::rk2;
+  bool operator==(const TimeSettings&) const = default;
+};
+
+/// frames   time between two saved frames; a loaded scene always has it (default: end/14, or dt,
+///          in whole steps)
+/// fields   times of the pictures, drawn on `window` = [x0, y0, x1, y1] every `field_spacing`; a
+///          loaded scene that has fields has both
+struct OutputSettings {
+  double frames = 0;
+  std::vector<double> fields{};
+  std::optional<std::array<double, 4>> window{};
+  std::optional<double> field_spacing{};
+  bool operator==(const OutputSettings&) const = default;
+};
+
+/// Their keys, in the order in which they are read and printed.
+[[nodiscard]] std::vector<Key> keys(FlowSettings&);
+[[nodiscard]] std::vector<Key> keys(TimeSettings&);
+[[nodiscard]] std::vector<Key> keys(OutputSettings&);
+
+}  // namespace vortree::flow

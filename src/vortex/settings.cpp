@@ -1,0 +1,89 @@
+#include "vortex/settings.hpp"
+
+namespace vortree::vortex {
+
+std::vector<Key> keys(CoreSettings& cores) {
+  return {key("sigma_0", cores.sigma_0, chosen(positive), "L",
+              "core of a blob that is released at the wall, or of an initial blob"),
+          key("sigma_max", cores.sigma_max, chosen(positive), "L", "a wider blob splits"),
+          key("coarsen_from", cores.coarsen_from, positive, "L",
+              "further than this from the body cores, and the tolerance of mergers, may be "
+              "(distance/coarsen_from)^(3/4) times as wide")};
+}
+
+std::vector<Key> keys(SplittingSettings& splitting) {
+  constexpr Rule inside{.low = 0,
+                        .high = 1,
+                        .above_low = true,
+                        .below_high = true,
+                        .words = "it must lie between 0 and 1"};
+  return {key("alpha", splitting.alpha, inside, "", "a child has the core alpha sigma"),
+          key("children", splitting.children,
+              {.low = 3, .high = 64, .words = "a ring has 3 to 64 children"}, "",
+              "so many children stand on a ring")};
+}
+
+std::vector<Key> keys(MergingSettings& merging) {
+  return {key("tolerance", merging.tolerance, not_negative, "L/T",
+              "error of velocity that a merger may make; 0: blobs never merge"),
+          key("reach", merging.reach, positive, "cores",
+              "partners are closer than so many of the smaller core"),
+          key("cap", merging.cap, positive, "", "a merged blob has sigma^2 <= cap sigma_max^2"),
+          key("box", merging.box, anything, "L",
+              "[x0, y0, x1, y1]: blobs that leave it are taken away; `summary.json` says how much "
+              "they were")};
+}
+
+std::vector<Key> keys(InitialSettings& initial) {
+  return {
+      key("kind", initial.kind,
+          "the vorticity at t = 0: a Gaussian vortex, an elliptic one, a uniform ellipse, two "
+          "alike, "
+          "two of opposite signs that travel along +y, one times a quadrupole"),
+      key("circulation", initial.circulation, required(anything), "L^2/T",
+          "of the vortex, or of each of two, the left one if they are opposite"),
+      key("core", initial.core, required(positive), "L",
+          "width of the vortex, or of each of two; of an ellipse half of it along x; Gaussians are "
+          "wider than sigma_0"),
+      key("spacing", initial.spacing, positive, "sigma_0",
+          "distance of the blobs that the vorticity is cut into"),
+      key("centre", initial.centre, anything, "L", "place [x, y] of its centre"),
+      key("core_across", initial.core_across, positive, "L",
+          "the same along y: gaussian_ellipse and kirchhoff_ellipse need it"),
+      key("separation", initial.separation, positive, "L",
+          "distance of two vortices along x: corotating_pair and dipole need it"),
+      key("perturbation", initial.perturbation, anything, "",
+          "a tripole, which needs it, is the vortex times 1 + perturbation (x^2 - y^2)/core^2"),
+      key("faintest", initial.faintest,
+          {.low = 0, .high = 0.1, .above_low = true, .words = "it must lie between 0 and 0.1"}, "",
+          "blobs below this share of the strongest are left out")};
+}
+
+std::vector<Key> keys(DiffusionSettings& diffusion) {
+  return {key("kind", diffusion.kind,
+              "how vorticity spreads: cores widen, or they stay and blobs walk at random or "
+              "exchange circulation, in free space only")};
+}
+
+std::vector<Key> keys(VelocitySettings& velocity) {
+  return {
+      key("method", velocity.method,
+          "how velocities are summed: by the full FMM, by series of boxes, over all pairs"),
+      key("tolerance", velocity.tolerance,
+          {.low = 1e-14, .high = 0.1, .words = "it must lie in 1e-14 .. 0.1"}, "",
+          "relative error of a velocity sum"),
+      key("order", velocity.order,
+          {.low = 0, .high = 100, .words = "it must lie in 0 .. 100; 0: from the tolerance"}, "",
+          "terms of a series; 0: from the tolerance"),
+      key("capacity", velocity.capacity, {.low = 0, .words = "it must be >= 0; 0: chosen"}, "",
+          "most blobs in a childless cell; 0: chosen"),
+      key("finest_level", velocity.finest_level,
+          {.low = 0, .high = 31, .words = "it must lie in 0 .. 31"}, "",
+          "deepest level of the tree"),
+      key("builder", velocity.builder, "the tree is built from its leaves up, or from its root"),
+      key("cores", velocity.cores,
+          "core of a pair: the mean (conserves impulse), the source's, or both: each blob moves "
+          "with the mean over its own core (conserves the energy of free space)")};
+}
+
+}  // namespace vortree::vortex

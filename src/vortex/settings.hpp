@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/keys.hpp"
+#include "fmm/options.hpp"
+#include "vortex/transport/diffusion.hpp"
+
+// The tables of a scene that belong to the vortex method.
+
+namespace vortree::vortex {
+
+/// The vorticity that a scene can begin with.
+enum class InitialKind {
+  lamb_oseen,
+  gaussian_ellipse,
+  kirchhoff_ellipse,
+  corotating_pair,
+  dipole,
+  tripole
+};
+
+/// The core of a pair: the mean of both; that of the source; or the mean, with which each blob moves
+/// as the mean over its own core does (Problem::carrying_cores).
+enum class PairCores { mean, source, both };
+
+}  // namespace vortree::vortex
+
+namespace vortree {
+
+template <>
+inline constexpr std::array<std::string_view, 6> words_of<vortex::InitialKind>{
+    "lamb_oseen", "gaussian_ellipse", "kirchhoff_ellipse", "corotating_pair", "dipole", "tripole"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<vortex::Diffusion>{
+    "core_spreading", "random_walk", "particle_exchange"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<vortex::PairCores>{"mean", "source",
+                                                                             "both"};
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<fmm::Method>{"fmm", "boxes", "direct"};
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<fmm::Builder>{"reverse", "forward"};
+
+}  // namespace vortree
+
+namespace vortree::vortex {
+
+/// sigma_0: core of a blob released at the wall, or of an initial blob. A blob wider than sigma_max
+/// splits; further than coarsen_from from the body cores, and the tolerance of mergers, may be
+/// (distance/coarsen_from)^(3/4) times as wide (vortex/adapt/coarsening.hpp).
+struct CoreSettings {
+  double sigma_0 = 0;
+  double sigma_max = 0;
+  std::optional<double> coarsen_from{};
+  bool operator==(const CoreSettings&) const = default;
+};
+
+/// A child has core alpha sigma; `children` of them stand on a ring.
+struct SplittingSettings {
+  double alpha = 0.7;
+  int children = 4;
+  bool operator==(const SplittingSettings&) const = default;
+};
+
+/// tolerance 0: blobs never merge. reach is in cores; merged sigma^2 <= cap sigma_max^2. Blobs that
+/// leave the box [x0, y0, x1, y1] are taken away and accounted for (vortex/blobs/outflow.hpp).
+struct MergingSettings {
+  double tolerance = 0.02;
+  double reach = 2;
+  double cap = 1.1;
+  std::optional<std::array<double, 4>> box{};
+  bool operator==(const MergingSettings&) const = default;
+};
+
+/// The vorticity at t = 0 around `centre`, cut into blobs `spacing` sigma_0 apart; those below
+/// `faintest` of the strongest are left out.
+///
+/// lamb_oseen         a Gaussian vortex of width core > sigma_0
+/// gaussian_ellipse   half widths core along x and core_across along y
+/// kirchhoff_ellipse  uniform vorticity within half axes core and core_across
+/// corotating_pair    two Gaussian vortices, each of `circulation`, `separation` apart along x
+/// dipole             the same, of opposite signs; it travels along +y
+/// tripole            a Gaussian vortex times 1 + perturbation (x^2 - y^2)/core^2
+struct InitialSettings {
+  InitialKind kind = InitialKind::lamb_oseen;
+  double circulation = 1;
+  double core = 0;
+  double spacing = 1;
+  std::array<double, 2> centre{0, 0};
+  std::optional<double> core_across{}, separation{}, perturbation{};
+  double faintest = 1e-12;
+  bool operator==(const InitialSettings&) const = default;
+};
+
+/// core_spreading: wider cores, split and merged; random_walk and particle_exchange: cores stay as
+/// they are, in free space only.
+struct DiffusionSettings {
+  Diffusion kind = Diffusion::core_spreading;
+  bool operator==(const DiffusionSettings&) const = default;
+};
+
+/// order 0: from the tolerance. capacity 0: chosen by the evaluator.
+struct VelocitySettings {
+  fmm::Method method = fmm::Method::fmm;
+  double tolerance = 1e-6;
+  int order = 0;
+  int capacity = 0;
+  int finest_level = 31;
+  fmm::Builder builder = fmm::Builder::reverse;
+  PairCores cores = PairCores::mean;
+  bool operator==(const VelocitySettings&) const = default;
+};
+
+/// Their keys, in the order in which they are read and printed.
+[[nodiscard]] std::vector<Key> keys(CoreSettings&);
+[[nodiscard]] std::vector<Key> keys(SplittingSettings&);
+[[nodiscard]] std::vector<Key> keys(MergingSettings&);
+[[nodiscard]] std::vector<Key> keys(InitialSettings&);
+[[nodiscard]] std::vector<Key> keys(DiffusionSettings&);
+[[nodiscard]] std::vector<Key> keys(VelocitySettings&);
+
+}  // namespace vortree::vortex
