@@ -77,7 +77,10 @@ TEST_CASE("exact answers stand alone") {
   CHECK_FALSE(allowed("src/exact/a.cpp", "#include \"vortex/blobs/blobs.hpp\""));
 }
 
-TEST_CASE("io knows no method, no program and no bench") {
+TEST_CASE("io knows of a method its settings only, no program and no bench") {
+  CHECK(allowed("src/io/a.cpp", "#include \"vortex/settings.hpp\""));
+  CHECK_FALSE(allowed("src/io/a.cpp", "#include \"vortex/step.hpp\""));
+  CHECK_FALSE(allowed("src/flow/a.cpp", "#include \"vortex/settings.hpp\""));
   CHECK_FALSE(allowed("src/io/a.cpp", "#include \"vortex/blobs/blobs.hpp\""));
   CHECK(allowed("src/io/a.cpp", "#include <toml++/toml.h>"));
   CHECK_FALSE(allowed("src/io/a.cpp", "#include \"app/loop/run.hpp\""));
