@@ -9,12 +9,12 @@
 #include "exact/vortex_pairs.hpp"
 
 namespace vortree::checks {
-namespace {
 
 /// The vortex at the end against the exact one, which goes with the stream, at points out to four
 /// cores in several directions.
-void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
-                      const flow::Solver& solver, const HistoryRows& rows) {
+void check_lamb_oseen(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
+  const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
   if (c.exact != io::ExactAnswer::lamb_oseen || !scene.initial || rows.T().empty()) return;
   const exact::LambOseen vortex{scene.initial->circulation, scene.initial->core, scene.flow.nu};
@@ -29,7 +29,7 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
       x.push_back(centre.x + r.back() * std::cos(angle.back()));
       y.push_back(centre.y + r.back() * std::sin(angle.back()));
     }
-  const flow::Samples found = solver.sample({x, y});
+  const flow::Samples found = run.solver.sample({x, y});
   Column vorticity_off, velocity_off;
   double fastest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -47,8 +47,10 @@ void check_lamb_oseen(std::vector<Verdict>& list, const io::Scene& scene,
 }
 
 /// What free space keeps, from the first row of the report on.
-void check_invariants(std::vector<Verdict>& list, const io::Scene& scene,
-                      const flow::Scales& scales, const HistoryRows& rows) {
+void check_invariants(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
+  const flow::Scales& scales = run.scales;
+  const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
   if (!c.circulation_max && !c.impulse_max && !c.second_moment_max) return;
   const Column gamma = rows.column("circulation"), x = rows.column("impulse_x"),
@@ -81,6 +83,8 @@ void check_invariants(std::vector<Verdict>& list, const io::Scene& scene,
   });
 }
 
+namespace {
+
 /// How far the major axis has turned since the start, at each row [rad].
 Column turned(const HistoryRows& rows) {
   const Column xx = rows.column("quadrupole_xx"), xy = rows.column("quadrupole_xy");
@@ -91,7 +95,12 @@ Column turned(const HistoryRows& rows) {
   return angle;
 }
 
-void check_kirchhoff(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
+}  // namespace
+
+void check_kirchhoff(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
+  if (scene.check.exact != io::ExactAnswer::kirchhoff_ellipse) return;
+  const HistoryRows& rows = run.rows;
   const vortex::InitialSettings& i = *scene.initial;
   const exact::KirchhoffEllipse ellipse{i.circulation, i.core, *i.core_across};
   add(list, "rotation_max", scene.check.rotation_max, [&]() -> Reached {
@@ -101,14 +110,21 @@ void check_kirchhoff(std::vector<Verdict>& list, const io::Scene& scene, const H
   });
 }
 
+namespace {
+
 exact::VortexPair pair_of(const io::Scene& scene) {
   const vortex::InitialSettings& i = *scene.initial;
   return {i.circulation, i.core, *i.separation, scene.flow.nu};
 }
 
+}  // namespace
+
 /// The core, as it spreads alone, over the separation when that has first fallen by a hundredth.
 /// Vortices that stay apart have missed it when that is past what was asked.
-void check_merger(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
+void check_merger(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
+  if (scene.check.exact != io::ExactAnswer::corotating_pair) return;
+  const HistoryRows& rows = run.rows;
   add(list, "merger_max", scene.check.merger_max, [&]() -> Reached {
     const Column t = rows.column("t"), apart = rows.column("separation");
     const auto fallen = std::ranges::find_if(apart, [&](double b) { return b < 0.99 * apart[0]; });
@@ -120,7 +136,10 @@ void check_merger(std::vector<Verdict>& list, const io::Scene& scene, const Hist
   });
 }
 
-void check_dipole(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
+void check_dipole(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
+  if (scene.check.exact != io::ExactAnswer::dipole) return;
+  const HistoryRows& rows = run.rows;
   add(list, "speed_max", scene.check.speed_max, [&]() -> Reached {
     const Column t = rows.column("t"), x = rows.column("plus_x"), y = rows.column("plus_y");
     if (t.size() < 2) return rows.too_short();
@@ -129,6 +148,8 @@ void check_dipole(std::vector<Verdict>& list, const io::Scene& scene, const Hist
     return {std::abs(deviation(way, std::abs(pair.travelled(t.back()) - pair.travelled(t[0]))))};
   });
 }
+
+namespace {
 
 /// Columns of the report at the times of a reference that lie within it: the largest distance from
 /// the reference's, as a share of the largest that its first column has been by the end.
@@ -152,8 +173,12 @@ Reached moments_off(const HistoryRows& rows, const io::Table& reference,
   return {share(largest_of(off), largest_of(size))};
 }
 
+}  // namespace
+
 /// Quadrupole and separation at the times of a reference.
-void check_moments(std::vector<Verdict>& list, const io::Scene& scene, const HistoryRows& rows) {
+void check_moments(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
+  const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
   if (!c.moments_reference) return;
   const io::Table reference(io::reference_path(scene, *c.moments_reference));
@@ -166,10 +191,10 @@ void check_moments(std::vector<Verdict>& list, const io::Scene& scene, const His
 
 /// What the energy differs from that at the start less what viscosity has taken (trapezoid rule
 /// over the times of the frames).
-void check_energy(std::vector<Verdict>& list, const io::Scene& scene,
-                  const std::filesystem::path& folder) {
+void check_energy(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
   add(list, "energy_max", scene.check.energy_max, [&]() -> Reached {
-    const io::Table table(folder / "energy.csv");
+    const io::Table table(run.folder / "energy.csv");
     const Column t = table.column("t"), e = table.column("energy"), z = table.column("enstrophy");
     if (t.size() < 2) return {.value = {}, .why = "energy.csv has not two rows"};
     double taken = 0;
@@ -180,20 +205,6 @@ void check_energy(std::vector<Verdict>& list, const io::Scene& scene,
     }
     return {largest_of(off)};
   });
-}
-
-}  // namespace
-
-void check_free_space(std::vector<Verdict>& list, const io::Scene& scene,
-                      const std::filesystem::path& folder, const flow::Solver& solver,
-                      const flow::Scales& scales, const HistoryRows& rows) {
-  check_lamb_oseen(list, scene, solver, rows);
-  if (scene.check.exact == io::ExactAnswer::kirchhoff_ellipse) check_kirchhoff(list, scene, rows);
-  if (scene.check.exact == io::ExactAnswer::corotating_pair) check_merger(list, scene, rows);
-  if (scene.check.exact == io::ExactAnswer::dipole) check_dipole(list, scene, rows);
-  check_moments(list, scene, rows);
-  check_energy(list, scene, folder);
-  check_invariants(list, scene, scales, rows);
 }
 
 }  // namespace vortree::checks

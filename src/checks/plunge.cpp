@@ -55,8 +55,10 @@ void check_morison(std::vector<Verdict>& list, const io::CheckSettings& c, const
 
 }  // namespace
 
-void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const flow::Scales& scales,
-                  const HistoryRows& rows) {
+void check_plunge(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
+  const flow::Scales& scales = run.scales;
+  const HistoryRows& rows = run.rows;
   if (!scene.plunge) return;
   const Periods periods = whole_periods(scene, rows);
   const Column t = rows.column("t");

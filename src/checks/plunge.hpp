@@ -1,8 +1,6 @@
 #pragma once
 
-#include <vector>
-
-#include "checks/history_rows.hpp"
+#include "checks/finished.hpp"
 
 namespace vortree::checks {
 
@@ -19,7 +17,6 @@ namespace vortree::checks {
 /// theodorsen_max  |C_L - C_L of the plate|/|C_L of the plate|, of the components at the frequency
 ///                 of the plunge, phases counted; for a plunge across the stream
 /// source  Keulegan & Carpenter, J. Res. Nat. Bur. Stand. 60 (1958)
-void check_plunge(std::vector<Verdict>& list, const io::Scene& scene, const flow::Scales& scales,
-                  const HistoryRows& rows);
+void check_plunge(std::vector<Verdict>& list, const Finished& run);
 
 }  // namespace vortree::checks

@@ -7,12 +7,13 @@
 
 namespace vortree::checks {
 
-void check_spin(std::vector<Verdict>& list, const io::Scene& scene, const flow::Solver& solver) {
+void check_spin(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
   const io::CheckSettings& c = scene.check;
   if (c.exact != io::ExactAnswer::spinning_cylinder) return;
   constexpr int rays = 7, places = 60;
   const exact::SpinningCylinder cylinder{scene.motion->spin, *scene.body->radius, scene.flow.nu};
-  const double t = solver.time(), layer = std::sqrt(cylinder.nu * t);
+  const double t = run.solver.time(), layer = std::sqrt(cylinder.nu * t);
   const auto [x0, y0] = scene.body->centre;
   Column x, y, swirl, vorticity;
   for (int i = 1; i <= places; ++i) {
@@ -25,7 +26,7 @@ void check_spin(std::vector<Verdict>& list, const io::Scene& scene, const flow::
     swirl.push_back(cylinder.swirl(r, t));
     vorticity.push_back(cylinder.vorticity(r, t));
   }
-  const flow::Samples found = solver.sample({x, y});
+  const flow::Samples found = run.solver.sample({x, y});
   Column velocity_off, vorticity_off;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double r = std::hypot(x[k] - x0, y[k] - y0), u = swirl[k / rays] / r;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <vector>
-
-#include "checks/history_rows.hpp"
+#include "checks/finished.hpp"
 
 namespace vortree::checks {
 
@@ -13,6 +11,6 @@ namespace vortree::checks {
 /// velocity_max   largest difference, as a share of the wall's speed
 /// vorticity_max  the same, as a share of the exact vorticity at the wall; point by point, so that it
 ///                counts the noise of splitting and merging, too
-void check_spin(std::vector<Verdict>& list, const io::Scene& scene, const flow::Solver& solver);
+void check_spin(std::vector<Verdict>& list, const Finished& run);
 
 }  // namespace vortree::checks

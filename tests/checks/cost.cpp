@@ -1,4 +1,4 @@
-#include "checks/cost.hpp"
+#include "checks/warnings/cost.hpp"
 
 #include <catch2/catch.hpp>
 #include <sstream>

@@ -7,8 +7,8 @@
 
 #include "app/methods/vortex.hpp"
 #include "base/free_memory.hpp"
-#include "checks/cost.hpp"
-#include "checks/warnings.hpp"
+#include "checks/warnings/cost.hpp"
+#include "checks/warnings/warnings.hpp"
 #include "io/input_error.hpp"
 #include "io/quote.hpp"
 #include "io/suggestion.hpp"

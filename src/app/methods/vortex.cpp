@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "body/outline.hpp"
-#include "checks/cost.hpp"
+#include "checks/warnings/cost.hpp"
 #include "io/scene/scales.hpp"
 #include "vortex/blobs/lattice.hpp"
 #include "vortex/solver.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "app/program.hpp"
-#include "checks/warnings.hpp"
+#include "checks/warnings/warnings.hpp"
 #include "checks/scenes.hpp"
 
 using namespace vortree;

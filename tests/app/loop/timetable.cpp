@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/program.hpp"
-#include "checks/warnings_of_times.hpp"
+#include "checks/warnings/warnings_of_times.hpp"
 
 using namespace vortree;
 using namespace vortree::test;

@@ -1,4 +1,4 @@
-#include "checks/cost.hpp"
+#include "checks/warnings/cost.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "checks/warnings_of_means.hpp"
+#include "checks/warnings/warnings_of_means.hpp"
 
 #include <fmt/format.h>
 

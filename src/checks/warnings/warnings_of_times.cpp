@@ -1,4 +1,4 @@
-#include "checks/warnings_of_times.hpp"
+#include "checks/warnings/warnings_of_times.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

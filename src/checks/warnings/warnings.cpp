@@ -1,4 +1,4 @@
-#include "checks/warnings.hpp"
+#include "checks/warnings/warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "base/free_memory.hpp"
-#include "checks/cost.hpp"
-#include "checks/warnings_of_means.hpp"
-#include "checks/warnings_of_times.hpp"
+#include "checks/warnings/cost.hpp"
+#include "checks/warnings/warnings_of_means.hpp"
+#include "checks/warnings/warnings_of_times.hpp"
 #include "io/scene/scales.hpp"
 #include "io/scene/sense.hpp"
 

@@ -1,0 +1,89 @@
+#include "checks/forces.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "io/tables/table.hpp"
+
+namespace vortree::checks {
+namespace {
+
+/// A column of a reference between its entries; none outside them, and where cells are empty.
+class Known {
+ public:
+  Known(const io::Table& reference, const char* column)
+      : T_(reference.column("T")), values_(reference.column(column)) {}
+
+  std::optional<double> at(double T) const {
+    const auto value = interpolated(T_, values_, T);
+    return value && std::isnan(*value) ? std::nullopt : value;
+  }
+
+ private:
+  Column T_, values_;
+};
+
+/// How far a column of the report is off what is known, row by row.
+Value off(const HistoryRows& rows, const char* column, Known known,
+          double (*distance)(double, double)) {
+  return [&rows, ours = rows.column(column), known = std::move(known),
+          distance](std::size_t r) -> std::optional<double> {
+    const auto value = known.at(rows.T()[r]);
+    return value ? std::optional(distance(ours[r], *value)) : std::nullopt;
+  };
+}
+
+double difference(double ours, double known) {
+  return ours - known;
+}
+
+/// One route to a force against the other, as a share of the largest force.
+Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const Column& a,
+                     const Column& b) {
+  const Reached most = rows.largest(from, [&](std::size_t r) { return a[r]; });
+  const Reached apart = rows.largest(from, [&](std::size_t r) { return a[r] - b[r]; });
+  if (!most.value) return most;
+  return {share(*apart.value, *most.value)};
+}
+
+}  // namespace
+
+void check_drag(std::vector<Verdict>& list, const Finished& run) {
+  const io::Scene& scene = run.scene;
+  const HistoryRows& rows = run.rows;
+  const io::CheckSettings& c = scene.check;
+  if (!run.scales.body || !c.drag_reference) return;
+  const io::Table reference(io::reference_path(scene, *c.drag_reference));
+  const Value drag = off(rows, "cd_impulse", {reference, "C_D"}, deviation);
+  add(list, "drag_max", c.drag_max, [&] { return rows.largest(c.drag_from, drag); });
+  add(list, "drag_rms", c.drag_rms, [&] { return rows.rms(c.drag_from, drag); });
+  add(list, "bubble_max", c.bubble_max, [&] {
+    return rows.largest(c.bubble_from,
+                        off(rows, "bubble_length", {reference, "L_over_D"}, deviation));
+  });
+  add(list, "separation_max_deg", c.separation_max_deg, [&] {
+    return rows.largest(c.separation_from,
+                        off(rows, "separation_deg", {reference, "sep_deg"}, difference));
+  });
+}
+
+void check_forces(std::vector<Verdict>& list, const Finished& run) {
+  if (!run.scales.body) return;
+  const io::Scene& scene = run.scene;
+  const HistoryRows& rows = run.rows;
+  const io::CheckSettings& c = scene.check;
+  const Column impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
+               lift = rows.column("cl_impulse"), wall_lift = rows.column("cl_wall");
+  add(list, "routes_max", c.routes_max, [&] {
+    if (scene.plunge) return routes_apart(rows, c.routes_from, impulse, wall);
+    return rows.largest(c.routes_from,
+                        [&](std::size_t r) { return deviation(impulse[r], wall[r]); });
+  });
+  add(list, "lift_routes_max", c.lift_routes_max,
+      [&] { return routes_apart(rows, c.routes_from, lift, wall_lift); });
+  add(list, "lift_max", c.lift_max, [&] {
+    return rows.largest({}, [&](std::size_t r) { return largest_of({lift[r], wall_lift[r]}); });
+  });
+}
+
+}  // namespace vortree::checks

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "checks/finished.hpp"
+
+namespace vortree::checks {
+
+/// Vorticity along the wall at the times that wall.csv and a reference share.
+void check_wall_vorticity(std::vector<Verdict>& list, const Finished& run);
+
+}  // namespace vortree::checks
