@@ -57,6 +57,17 @@ foreach(expected
   endif()
 endforeach()
 
+# Trees and sums alone ask for no library but the compiler's own.
+set(without "")
+foreach(package Eigen3 HDF5 tomlplusplus CLI11 fmt Boost Catch2)
+  list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+run(${CMAKE_COMMAND} -G Ninja -S ${here}/../.. -B ${scratch}/alone -D VORTREE_PROGRAM=OFF ${without})
+run(${CMAKE_COMMAND} --build ${scratch}/alone --target help)
+if(NOT output MATCHES "vortree_tree" OR NOT output MATCHES "vortree_fmm" OR output MATCHES "vortree_io")
+  message(FATAL_ERROR "VORTREE_PROGRAM=OFF builds\n${output}")
+endif()
+
 set(installed ${scratch}/vortree)
 file(GLOB_RECURSE target_files ${installed}/*/vortreeTargets*.cmake)
 foreach(target_file ${target_files})

@@ -10,7 +10,7 @@ using namespace vortree::test;
 
 namespace {
 
-const std::string vortex = R"(
+const std::string free_vortex = R"(
 [flow]
 nu = 1e-3
 [initial]
@@ -63,7 +63,7 @@ void check_same(const io::Table& here, const io::Table& there) {
 
 TEST_CASE("a free vortex is the same to the last bit wherever it lies, and in any stream") {
   const TemporaryFolder folder;
-  folder.write("vortex.toml", vortex);
+  folder.write("vortex.toml", free_vortex);
   const io::Table here = report_of(folder, "vortex.toml --out here");
   for (const std::string where :
        {"initial.centre=[1e6,-2e6]", "initial.centre=[1e9,1e9]", "initial.centre=[0,1e15]",
@@ -77,7 +77,7 @@ TEST_CASE("a free vortex is the same to the last bit wherever it lies, and in an
 
 TEST_CASE("a vortex's impulse, centre and blobs are written as seen from the scene's origin") {
   const TemporaryFolder folder;
-  folder.write("vortex.toml", vortex);
+  folder.write("vortex.toml", free_vortex);
   const io::Table here = report_of(folder, "vortex.toml --out here");
   // Round numbers in binary: sums with them are exact to the last digits that they leave.
   const io::Table there =
@@ -117,7 +117,7 @@ TEST_CASE("a body has the same forces to the last bit wherever it lies") {
 
 TEST_CASE("a run far from the origin, stopped on its way, goes on to the same report") {
   const TemporaryFolder folder;
-  folder.write("vortex.toml", vortex);
+  folder.write("vortex.toml", free_vortex);
   const std::string far = "vortex.toml initial.centre=[1e9,0.1] flow.stream=[0.3,0] ";
   const io::Table whole = report_of(folder, far + "--out whole");
   const io::Table half = report_of(folder, far + "time.end=0.25 --out half");

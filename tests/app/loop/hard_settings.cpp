@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "app/program.hpp"
-#include "checks/warnings/warnings.hpp"
 #include "checks/scenes.hpp"
+#include "checks/warnings/warnings.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
@@ -11,7 +11,7 @@ using namespace vortree::test;
 namespace {
 
 const std::string cylinder = cylinder_by_accuracy + "[output]\nframes = 0.5\n";
-const std::string vortex = vortex_by_hand + "[merging]\ntolerance = 5e-4\n";
+const std::string free_vortex = vortex_by_hand + "[merging]\ntolerance = 5e-4\n";
 
 std::vector<std::string> doubted(const std::vector<std::string>& overrides) {
   return checks::warnings(io::parse_scene(cylinder, "cylinder.toml", overrides));
@@ -46,7 +46,7 @@ TEST_CASE("ten times too large a step, too wide cores and too few panels are eac
 
 TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws, is named") {
   const auto doubted_of = [&](const std::vector<std::string>& overrides) {
-    return checks::warnings(io::parse_scene(vortex, "vortex.toml", overrides));
+    return checks::warnings(io::parse_scene(free_vortex, "vortex.toml", overrides));
   };
   CHECK(doubted_of({}).empty());
   CHECK(about(doubted_of({"flow.nu=1"}), "cores.sigma_max = 0.05: one step"));
@@ -160,7 +160,7 @@ TEST_CASE("a run that breaks keeps the state before the step that broke it") {
 TEST_CASE("a vortex of which hardly anything merges runs, and is warned of") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  folder.write("vortex.toml", free_vortex);
   for (const char* override : {"merging.tolerance=2e-6", "merging.cap=0.33", "merging.reach=0.2"}) {
     const auto outcome =
         call(std::string("run vortex.toml --overwrite time.end=0.4 ") + override, folder);

@@ -10,7 +10,7 @@ using namespace vortree::test;
 
 namespace {
 
-const std::string vortex = R"(
+const std::string free_vortex = R"(
 [flow]
 nu = 1e-3
 [cores]
@@ -31,7 +31,7 @@ const std::vector<std::string> drawn{"output.window=[-1,-1,1,1]", "output.field_
 
 io::Scene scene(std::vector<std::string> overrides = {}, bool pictures = false) {
   if (pictures) overrides.insert(overrides.end(), drawn.begin(), drawn.end());
-  return io::parse_scene(vortex, "vortex.toml", overrides);
+  return io::parse_scene(free_vortex, "vortex.toml", overrides);
 }
 
 std::vector<long> frames_of(const io::Scene& scene) {

@@ -157,11 +157,11 @@ TEST_CASE("a table that a scene lacks is made, with its defaults, when its keys 
   Scene scene;
   for (const SceneTable& table : tables(scene)) {
     CAPTURE(table.name);
-    const bool lacking = table.name == "body" || table.name == "plunge" ||
-                         table.name == "motion" || table.name == "initial";
+    const bool lacking = table.name == "body" || table.name == "plunge" || table.name == "motion" ||
+                         table.name == "initial";
     CHECK(table.present() != lacking);
     CHECK_FALSE(table.keys().empty());
     CHECK(table.present());
   }
-  CHECK(scene.body == body::BodySettings{});
+  CHECK(scene.body == vortree::body::BodySettings{});
 }

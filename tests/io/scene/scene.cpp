@@ -1,5 +1,6 @@
 #include "scenes.hpp"
 
+using namespace vortree;
 using namespace vortree::io;
 using namespace vortree::test;
 
@@ -28,16 +29,16 @@ TEST_CASE("every key of a scene is read") {
   CHECK(scene.body == body::BodySettings{.radius = 1.0 / 3, .centre = {0.1, 0.2}, .panels = 64});
   CHECK(scene.splitting == vortex::SplittingSettings{.alpha = 0.8, .children = 5});
   CHECK(scene.merging == vortex::MergingSettings{.tolerance = 0, .reach = 1.5, .cap = 1.3});
-  CHECK(scene.initial ==
-        vortex::InitialSettings{.circulation = -1.5, .core = 0.2, .spacing = 0.9, .centre = {3, 4}});
+  CHECK(scene.initial == vortex::InitialSettings{
+                             .circulation = -1.5, .core = 0.2, .spacing = 0.9, .centre = {3, 4}});
   CHECK(scene.time == flow::TimeSettings{.dt = 1e-27, .end = 5e-20, .scheme = flow::Scheme::rk4});
   CHECK(scene.velocity == vortex::VelocitySettings{.method = fmm::Method::direct,
-                                        .tolerance = 1e-14,
-                                        .order = 13,
-                                        .capacity = 50,
-                                        .finest_level = 0,
-                                        .builder = fmm::Builder::forward,
-                                        .cores = vortex::PairCores::source});
+                                                   .tolerance = 1e-14,
+                                                   .order = 13,
+                                                   .capacity = 50,
+                                                   .finest_level = 0,
+                                                   .builder = fmm::Builder::forward,
+                                                   .cores = vortex::PairCores::source});
   CHECK(scene.output.fields == std::vector<double>{0, 0.5, 1e-3});
   CHECK(scene.output.window == std::array<double, 4>{-1, -2, 3, 4});
   CHECK(scene.output.field_spacing == 0.1);

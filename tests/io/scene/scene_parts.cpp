@@ -2,6 +2,7 @@
 
 #include "scenes.hpp"
 
+using namespace vortree;
 using namespace vortree::io;
 using namespace vortree::test;
 using Catch::Matchers::Contains;

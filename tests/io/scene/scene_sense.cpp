@@ -1,6 +1,7 @@
 #include "io/scene/sense.hpp"
 #include "scenes.hpp"
 
+using namespace vortree;
 using namespace vortree::io;
 using namespace vortree::test;
 using Catch::Matchers::Contains;
@@ -72,7 +73,8 @@ TEST_CASE("merging.box holds the body and the initial vorticity, or is refused")
 }
 
 TEST_CASE("a turned ellipse and a foil fill what their outlines reach") {
-  const body::BodySettings ellipse{.shape = body::ShapeKind::ellipse, .radius = 0.5, .across = 0.1, .incidence = 90};
+  const body::BodySettings ellipse{
+      .shape = body::ShapeKind::ellipse, .radius = 0.5, .across = 0.1, .incidence = 90};
   CHECK(half_extent(ellipse)[0] == Approx(0.1));
   CHECK(half_extent(ellipse)[1] == Approx(0.5));
   const body::BodySettings foil{.shape = body::ShapeKind::naca0012, .chord = 2};
