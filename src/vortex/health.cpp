@@ -55,7 +55,8 @@ std::string multiplied(std::size_t blobs, std::size_t before, const Setup& setup
 std::string broken(const Blobs& blobs, const Setup& setup, double time) {
   double strength = 0;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
-    if (!std::isfinite(blobs.x[i] + blobs.y[i] + blobs.gamma[i] + blobs.sigma[i]))
+    if (!std::isfinite(blobs.x[i] + blobs.y[i] + blobs.gamma[i] + blobs.sigma[i] + blobs.xx[i] +
+                       blobs.xy[i]))
       return "blob " + std::to_string(i) + " of " + std::to_string(blobs.size()) +
              " is no longer finite";
     strength += std::abs(blobs.gamma[i]);

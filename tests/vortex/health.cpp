@@ -50,7 +50,8 @@ TEST_CASE("a number that is not finite is a reason, in any column, and names its
   const auto flow = cylinder();
   for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY)})
     for (auto column :
-         {&vortex::Blobs::x, &vortex::Blobs::y, &vortex::Blobs::gamma, &vortex::Blobs::sigma}) {
+         {&vortex::Blobs::x, &vortex::Blobs::y, &vortex::Blobs::gamma, &vortex::Blobs::sigma,
+          &vortex::Blobs::xx, &vortex::Blobs::xy}) {
       auto some = blobs(10);
       (some.*column)[7] = bad;
       CHECK(vortex::broken(some, flow, 5) == "blob 7 of 10 is no longer finite");

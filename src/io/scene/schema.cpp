@@ -55,11 +55,10 @@ std::vector<Key> keys(SceneCores& cores) {
 }
 
 std::vector<Key> keys(SceneSplitting& splitting) {
-  constexpr Rule inside{.low = 0,
+  constexpr Rule inside{.low = 0.1,
                         .high = 1,
-                        .above_low = true,
                         .below_high = true,
-                        .words = "it must lie between 0 and 1"};
+                        .words = "it must be >= 0.1 and < 1"};
   return {key("alpha", splitting.alpha, inside, "", "a child has the core alpha sigma"),
           key("children", splitting.children,
               {.low = 3, .high = 64, .words = "a ring has 3 to 64 children"}, "",

@@ -17,9 +17,8 @@ TEST_CASE("an unknown key is refused with its line and the nearest known one") {
       StartsWith("cases/ring.toml:14: [times] is not a table of a scene; known: flow, body,") &&
           EndsWith("did you mean time?"));
   CHECK(refused("speed = 1\n" + plain) ==
-        "cases/ring.toml:1: speed is not a key at the top of a scene; known: title, seed, "
-        "accuracy; did "
-        "you mean seed?");
+        "cases/ring.toml:1: speed is not a key at the top of a scene; known: title, seed, method, "
+        "accuracy; did you mean seed?");
   CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nzebra = 1")),
              EndsWith("known: nu, stream, reynolds"));
   CHECK_THAT(refused("\"a.b\" = 1\n" + plain), StartsWith("cases/ring.toml:1: a.b is not a key"));
@@ -73,8 +72,10 @@ TEST_CASE("a value out of its range is refused with the range") {
         "cases/ring.toml:19: body.panels is 7; a body needs at least 8 panels");
   CHECK(extra("[body]\nradius = 2\npanels = 3000000000") ==
         "cases/ring.toml:19: body.panels is 3000000000; it must be <= 2147483647");
+  CHECK(extra("[splitting]\nalpha = 1e-30") ==
+        "cases/ring.toml:18: splitting.alpha is 1e-30; it must be >= 0.1 and < 1");
   CHECK(extra("[splitting]\nalpha = 1") ==
-        "cases/ring.toml:18: splitting.alpha is 1; it must lie between 0 and 1");
+        "cases/ring.toml:18: splitting.alpha is 1; it must be >= 0.1 and < 1");
   CHECK(extra("[splitting]\nchildren = 2") ==
         "cases/ring.toml:18: splitting.children is 2; a ring has 3 to 64 children");
   CHECK(extra("[merging]\ntolerance = -1") ==
