@@ -44,6 +44,35 @@ TEST_CASE("ten times too large a step, too wide cores and too few panels are eac
   CHECK(about(doubted({fine, "cores.sigma_0=0.002"}), "cores.sigma_0 = 0.002"));
 }
 
+TEST_CASE("children nearly too wide to merge at a body's start are named, others are not") {
+  const auto doubts = [](const std::string& override, const std::string& other = "seed=1") {
+    return doubted({"accuracy=0.01", "flow.reynolds=550", override, other});
+  };
+  for (const char* fine : {"splitting.alpha=0.75", "splitting.alpha=0.78", "merging.cap=0.8",
+                           "cores.sigma_max=0.0135", "time.dt=0.025", "body.panels=90"})
+    CHECK(doubts(fine).empty());
+  for (const char* wide : {"splitting.alpha=0.79", "splitting.alpha=0.8", "cores.sigma_max=0.012"})
+    CHECK(about(doubts(wide), "cores.sigma_max"));
+  CHECK(about(doubts("body.panels=90", "splitting.alpha=0.75"), "cores.sigma_max"));
+  CHECK(about(doubts("merging.cap=0.6", "cores.sigma_max=0.0215"), "merging.cap = 0.6"));
+}
+
+TEST_CASE("a start whose sheet splits four or five times before it merges goes on") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("cylinder.toml", cylinder);
+  for (const char* setting : {"splitting.alpha=0.75", "body.panels=90"}) {
+    const auto outcome = call(
+        "run cylinder.toml accuracy=0.01 flow.reynolds=550 time.dt=0.02 "
+        "time.end=0.04 --overwrite " +
+            std::string(setting),
+        folder);
+    CAPTURE(outcome.out, outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.empty());
+  }
+}
+
 TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws, is named") {
   const auto doubted_of = [&](const std::vector<std::string>& overrides) {
     return checks::warnings(io::parse_scene(vortex, "vortex.toml", overrides));

@@ -53,7 +53,7 @@ TEST_CASE("a core however thin, or of no finite place, has a profile, and that o
       CHECK(at.slope == 0);
     }
   CHECK(std::isnan(folded::profile(NAN).mean));
-  CHECK(folded::mean_distance(-1, 1e-300, 0) == 1);
+  CHECK(folded::mean_distance(-1, 1e-30, 0) == 1);
   CHECK(std::isfinite(folded::place(1, 1e-30, 0).y));
 }
 
