@@ -59,7 +59,7 @@ class Outline final : public Shape {
     const double curvature =
         (c.first.x * c.second.y - c.first.y * c.second.x) / (speed * speed * speed);
     const double round = t - turn * std::floor(t / turn);
-    const int i = std::clamp(static_cast<int>(round / turn * pieces), 0, pieces - 1);
+    const int i = static_cast<int>(std::min(pieces - 1.0, round / turn * pieces));
     return {arc_[i] + arc_from(i, round), dot(at - c.at, normal), normal, curvature};
   }
 

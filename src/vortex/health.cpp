@@ -10,6 +10,8 @@ namespace vortree::vortex {
 namespace {
 
 constexpr std::size_t many_blobs = 20'000, many_of_late = 5000, many_a_panel = 100;
+constexpr std::size_t many_at_once = 150'000, many_a_panel_at_once = 1000;  // in the first step
+constexpr double wide_children = 0.5;   // of the square of what mergers may leave
 constexpr double most_vorticity = 100;  // of both signs, in U D
 
 }  // namespace
@@ -29,13 +31,30 @@ std::size_t Growth::most(double time, const Setup& setup) const {
     return std::min(ceiling, std::max(many, p.splitting.children * split));
   if (p.merging.tolerance == 0)  // asked for
     return std::min(ceiling, std::max(many_blobs, split));
-  if (setup.wall && time < 10.5 * p.dt)
-    return std::min(ceiling,
-                    std::max(many, 3 * before + times(many_a_panel * setup.wall->panels())));
+  if (setup.wall && time < 10.5 * p.dt) {
+    const std::size_t panels = setup.wall->panels();
+    if (time < 1.5 * p.dt)
+      return std::min(ceiling,
+                      std::max({many, many_at_once, times(many_a_panel_at_once * panels)}));
+    return std::min(ceiling, std::max(many, 3 * before + times(many_a_panel * panels)));
+  }
   const bool settled = counts_.size() == 6 && !(setup.wall && time < 12.5 * p.dt);
   const std::size_t soon = std::max(many, 3 * before),
                     later = settled ? std::max(times(many_of_late), 3 * counts_.front()) : soon;
   return std::min({ceiling, soon, later});
+}
+
+std::string remedy(const Setup& setup) {
+  const Problem& p = setup.problem;
+  const double most = p.merging.sigma_max, alpha2 = p.splitting.alpha * p.splitting.alpha;
+  if (setup.splits_endlessly)
+    return ", since a step widens them by more than splitting makes up for; larger "
+           "cores.sigma_max or smaller time.dt";
+  if (alpha2 / (1 - alpha2) * 4 * p.flow.nu * p.dt > wide_children * most * most)
+    return ", since what splits leaves children nearly too wide to merge; smaller "
+           "splitting.alpha, larger cores.sigma_max or merging.cap";
+  return setup.wall ? "; more body.panels or smaller time.dt"
+                    : "; larger merging.tolerance or merging.reach, or smaller time.dt";
 }
 
 std::string multiplied(std::size_t blobs, std::size_t before, const Setup& setup) {
@@ -45,17 +64,14 @@ std::string multiplied(std::size_t blobs, std::size_t before, const Setup& setup
     return counts + "the machine's memory holds " + std::to_string(setup.held_blobs);
   if (setup.problem.merging.tolerance == 0)
     return counts + "they split and never merge; merging.tolerance above 0 keeps them few";
-  return counts + "they multiply faster than they merge" +
-         (setup.splits_endlessly
-              ? ", since a step widens them by more than splitting makes up for; larger "
-                "cores.sigma_max or smaller time.dt"
-              : "; larger merging.tolerance or merging.reach, or smaller time.dt");
+  return counts + "they multiply faster than they merge" + remedy(setup);
 }
 
 std::string broken(const Blobs& blobs, const Setup& setup, double time) {
   double strength = 0;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
-    if (!std::isfinite(blobs.x[i] + blobs.y[i] + blobs.gamma[i] + blobs.sigma[i]))
+    if (!std::isfinite(blobs.x[i] + blobs.y[i] + blobs.gamma[i] + blobs.sigma[i] + blobs.xx[i] +
+                       blobs.xy[i]))
       return "blob " + std::to_string(i) + " of " + std::to_string(blobs.size()) +
              " is no longer finite";
     strength += std::abs(blobs.gamma[i]);

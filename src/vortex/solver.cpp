@@ -89,6 +89,8 @@ void Solver::step(const flow::Phase& phase) {
     wake = vortex::step(blobs_, problem, static_cast<std::uint64_t>(steps_ + 1), phase);
   } catch (const Multiplied& many) {
     give_up(multiplied(many.blobs, before.size(), setup_));
+  } catch (const Crowded& many) {
+    give_up(many.what() + remedy(setup_));
   } catch (const std::bad_alloc&) {
     blobs_ = std::move(before);
     throw;

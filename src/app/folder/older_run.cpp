@@ -2,23 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <fstream>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "io/frames/frames.hpp"
 #include "io/frames/read.hpp"
 #include "io/input_error.hpp"
+#include "io/tables/fields.hpp"
 
 namespace vortree::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool has_rows(const fs::path& table) {
+constexpr std::array tables{"report.csv", "wall.csv", "energy.csv"};
+
+bool has_rows(const fs::path& table, int more_than = 0) {
   if (!fs::is_regular_file(table)) return false;
   std::ifstream in(table);
-  std::string names, row;
-  return std::getline(in, names) && std::getline(in, row);
+  std::string line;
+  for (int k = -1; k <= more_than; ++k)
+    if (!std::getline(in, line)) return false;
+  return true;
 }
 
 [[noreturn]] void refuse_older(const fs::path& file) {
@@ -30,12 +38,34 @@ bool has_rows(const fs::path& table) {
 std::optional<std::string> frames_in(const fs::path& file) {
   try {
     const io::FramesLabel label = io::label_of_frames(file);
-    if (label.frames == 0) return std::nullopt;
+    if (label.frames == 0) {
+      (void)io::info_of_frames(file);  // refused if no run has written it
+      return std::nullopt;
+    }
     return fmt::format("a run of {} frame{} to t = {:g}", label.frames,
                        label.frames == 1 ? "" : "s", label.last_time);
   } catch (const io::InputError&) {
     return "a run whose frames.h5 is damaged or no frames file";
   }
+}
+
+bool is_picture_of_start(const fs::path& folder) {
+  try {
+    return io::field_times(folder) == std::vector{0.0};
+  } catch (const io::InputError&) {
+    return false;
+  }
+}
+
+/// A run that was stopped before its first frame has left its frames.h5, tables of a row at most
+/// and a picture of the start. All else is none of its.
+void refuse_more_than_a_start(const fs::path& folder) {
+  for (const char* name : tables)
+    if (has_rows(folder / name, 1)) refuse_older(folder / name);
+  const bool pictured = fs::exists(folder / "fields.h5");
+  if (pictured && !is_picture_of_start(folder)) refuse_older(folder / "fields.h5");
+  if (!pictured && fs::exists(folder / "fields.xdmf")) refuse_older(folder / "fields.xdmf");
+  if (fs::exists(folder / "summary.json")) refuse_older(folder / "summary.json");
 }
 
 }  // namespace
@@ -53,11 +83,10 @@ void refuse_older_run(const fs::path& folder) {
           fmt::format("{} holds {} already: --resume goes on with it, --overwrite replaces it, "
                       "--out DIR leaves it alone",
                       folder.string(), *frames));
-    return;  // a run that was stopped before its first frame
+    return refuse_more_than_a_start(folder);
   }
-  for (const char* name : {"report.csv", "wall.csv", "energy.csv"})
-    refuse_older_table(folder / name);
-  for (const char* name : {"summary.json", "fields.h5"})
+  for (const char* name : tables) refuse_older_table(folder / name);
+  for (const char* name : {"summary.json", "fields.h5", "fields.xdmf", "frames.xdmf"})
     if (fs::is_regular_file(folder / name)) refuse_older(folder / name);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <stdexcept>
@@ -65,6 +66,15 @@ io::Scene stored_scene(const io::RunInfo& info, const fs::path& file, const fs::
   }
 }
 
+void require_time_of_step(const io::Frame& frame, double dt, const fs::path& file) {
+  const double expected = static_cast<double>(frame.step) * dt;
+  if (std::abs(frame.time - expected) <= 1e-12 * expected) return;
+  throw io::InputError(fmt::format(
+      "{}: the frame of step {} is that of t = {}, where steps of time.dt = {} come to t = {}: the "
+      "file is damaged, or another run's",
+      file.string(), frame.step, frame.time, dt, expected));
+}
+
 }  // namespace
 
 RunFiles::RunFiles(const io::Scene& scene, const flow::Solver& solver,
@@ -106,7 +116,12 @@ io::Frame RunFiles::last_frame() const {
         fmt::format("{}: was run with another {} than {} has now; only time.end, "
                     "[output] and [check] may change on the way",
                     file.string(), where, scene_.origin.path.string()));
+  require_time_of_step(*found.last, scene_.time.dt, file);
   return *std::move(found.last);
+}
+
+io::Scene scene_of_frames(const fs::path& frames, const fs::path& scene) {
+  return stored_scene(io::info_of_frames(frames), frames, scene);
 }
 
 void RunFiles::resume_fields(const io::Frame& frame) {
@@ -118,6 +133,7 @@ void RunFiles::resume_fields(const io::Frame& frame) {
   if (!lost.empty())
     say("{}: the pictures of t = {} are lost, and are not made again",
         (folder_ / "fields.h5").string(), fmt::join(lost, ", "));
+  std::erase_if(fields_, [&](double t) { return std::ranges::find(lost, t) != lost.end(); });
 }
 
 void RunFiles::resume(const io::Frame& frame) {

@@ -34,8 +34,8 @@ class RunFiles {
   void begin();
 
   /// The frame to go on from; says on standard error what was lost behind it.
-  /// throws  io::InputError if there is none, or if it was run with a scene that differs in more
-  ///         than its end, [output] and [check]
+  /// throws  io::InputError if there is none, if it was run with a scene that differs in more than
+  ///         its end, [output] and [check], or if its time is not that of its step
   [[nodiscard]] io::Frame last_frame() const;
 
   /// Goes on behind that frame: what is later is dropped, since it will be made again. Says on
@@ -61,7 +61,12 @@ class RunFiles {
   const flow::Solver& solver_;
   std::filesystem::path folder_;
   RunTables tables_;
-  std::vector<double> fields_;  ///< times of the pictures so far
+  std::vector<double> fields_;  ///< times of the pictures so far, but for those that are lost
 };
+
+/// The scene, by its file's name, that a run was run with.
+/// throws  io::InputError, with the name of the frames file, if it does not say
+[[nodiscard]] io::Scene scene_of_frames(const std::filesystem::path& frames,
+                                        const std::filesystem::path& scene);
 
 }  // namespace vortree::app

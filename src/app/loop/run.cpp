@@ -216,9 +216,9 @@ io::Scene scene_of(const RunOptions& options) {
   const fs::path file = find_scene(options.scene);
   io::Scene scene = io::load_scene(file, options.overrides);
   if (!options.resume || !scene.origin.step_chosen) return scene;
-  const std::string was = io::info_of_frames(options.out / "frames.h5").resolved;
+  const io::Scene was = scene_of_frames(options.out / "frames.h5", file);
   std::vector<std::string> overrides = options.overrides;
-  overrides.push_back(fmt::format("time.dt={}", io::parse_scene(was, file).time.dt));
+  overrides.push_back(fmt::format("time.dt={}", was.time.dt));
   return io::load_scene(file, overrides);
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/free_memory.hpp"
 #include "checks/warnings/cost.hpp"
+#include "checks/warnings/warnings_of_box.hpp"
 #include "checks/warnings/warnings_of_means.hpp"
 #include "checks/warnings/warnings_of_times.hpp"
 #include "io/scene/scales.hpp"
@@ -155,7 +156,8 @@ std::vector<std::string> warnings(const io::Scene& scene) {
         "initial.centre = [{:.4g}, {:.4g}] lies within the body, where no vorticity can be",
         scene.initial->centre[0], scene.initial->centre[1]));
   if (scene.initial && !scene.body) doubt_vortex(list, scene);
-  for (const auto& more : {warnings_of_means(scene), costly(scene, machine_memory())})
+  for (const auto& more :
+       {warnings_of_means(scene), warnings_of_box(scene), costly(scene, machine_memory())})
     list.insert(list.end(), more.begin(), more.end());
   return list;
 }

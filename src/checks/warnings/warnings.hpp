@@ -17,6 +17,10 @@ namespace vortree::checks {
 ///             around an edge or tip from 15 rad on
 ///   panels    longer than 6 released cores leave gaps between them; longer than 1.5 radii of an
 ///             edge or tip miss how the flow turns around it
+///   children  of a split that fill 0.66 of the square of what mergers may leave, more where
+///             panels are long: the sheet of the start may not settle
+///   box       nearer than 7 d and half a D, or than vorticity spreads until the end; than the wake
+///             has come by then, 0.4 U t + 6 d, up to 8 D downstream; than 2 d upstream
 ///   sigma_0   off sqrt(nu dt) by more than 3: wall vorticity, and with it friction, is wrong
 /// In free space: the vortex turns by more than 1 rad (rk2: 1/2) a step, cores wider than half the
 /// vortex, a lattice wider than 1.4 cores, two vortices that are one.

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "io/frames/checksum.hpp"
+
 namespace vortree::io {
 namespace {
 
@@ -35,6 +37,16 @@ void write_units(hid_t file, const flow::Columns& columns) {
   h5::close(std::move(units), "units");
 }
 
+std::uint64_t checksum(const RunInfo& info) {
+  Checksum sum;
+  for (const std::string* text :
+       {&info.version, &info.scene_path, &info.scene, &info.resolved, &info.units})
+    sum.add(*text);
+  sum.add(fmt::format("{}", fmt::join(info.overrides, "\n")));
+  sum.add(static_cast<std::uint64_t>(info.seed));
+  return sum.value();
+}
+
 void require_short(const RunInfo& info, std::string_view what, std::string_view text) {
   if (text.size() > longest_text) {
     throw InputError(fmt::format("{}: the {} has {} bytes; a frames file keeps {} at most",
@@ -57,6 +69,7 @@ void write_empty_frames(const fs::path& path, const RunInfo& info, const flow::C
   h5::write_attribute(file, "overrides", overrides);
   h5::write_attribute(file, "seed", info.seed);
   h5::write_attribute(file, "units", info.units);
+  h5::write_attribute(file, "checksum", checksum(info));
   write_units(file, columns);
   h5::close_file(std::move(file), path);
 }
@@ -77,6 +90,11 @@ RunInfo read_run_info(hid_t file) {
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return info;
+}
+
+bool agrees_with_checksum(hid_t file, const RunInfo& info) {
+  return !h5::has_attribute(file, "checksum") ||
+         h5::read_unsigned(file, "checksum") == checksum(info);
 }
 
 }  // namespace vortree::io

@@ -99,9 +99,14 @@ std::string warning_of(const fs::path& path, const MendedFile& opened,
                      lost.empty() ? "" : told_steps(lost) + "; ", last);
 }
 
-RunInfo info_of(const fs::path& path, const MendedFile& opened) {
+/// Nothing if the file is damaged where it says it.
+std::optional<RunInfo> info_of(const fs::path& path, const MendedFile& opened) {
   try {
-    if (opened.file >= 0) return read_run_info(opened.file);
+    if (opened.file < 0) return std::nullopt;
+    RunInfo info = read_run_info(opened.file);
+    if (agrees_with_checksum(opened.file, info)) return info;
+    throw InputError(path.string() +
+                     " is damaged: what it says of its run does not agree with its checksum");
   } catch (const h5::NotTheFile& refused) {
     throw std::runtime_error(fmt::format("{}: {}", path.string(), refused.what()));
   } catch (const h5::Failure& failure) {
@@ -110,7 +115,7 @@ RunInfo info_of(const fs::path& path, const MendedFile& opened) {
                                    path.string(), failure.what()));
     }
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -143,12 +148,16 @@ void append_frame(const fs::path& dir, const Frame& frame) {
 }
 
 RunInfo info_of_frames(const fs::path& path) {
-  return info_of(path, open_mended(path));
+  const MendedFile opened = open_mended(path);
+  std::optional<RunInfo> info = info_of(path, opened);
+  if (info) return *std::move(info);
+  throw InputError(
+      fmt::format("{} {}: what it says of its run is lost", path.string(), opened.wound));
 }
 
 RecoveredFrames read_last_good(const fs::path& path) {
   const MendedFile opened = open_mended(path);
-  RunInfo info = info_of(path, opened);
+  RunInfo info = info_of(path, opened).value_or(RunInfo{});
   RecoveredFrames found = opened.file >= 0 ? take_stock(opened.file) : RecoveredFrames{};
   found.info = std::move(info);
   found.warning = warning_of(path, opened, found);

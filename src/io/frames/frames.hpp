@@ -43,7 +43,7 @@ struct RunInfo {
 ///
 /// columns  of the particles that frames will have; their values do not count
 ///
-/// Layout: the run as attributes of the root, the dimensions of the columns as attributes of the
+/// Layout: the run as attributes of the root with a checksum over them, the dimensions of the columns as attributes of the
 /// group `units`; a group `frame_000025` (step number) for each frame with a dataset a column,
 /// attributes step, time, columns (names and units, in order), checksum and the subgroups `state` and
 /// `view`, the latter the same columns once more as frames.xdmf shows them (points and, if there are
@@ -78,12 +78,13 @@ struct RecoveredFrames {
 /// The file itself is not touched; a cut file is read from a temporary copy beside it, or in the
 /// temporary folder of the system.
 ///
-/// throws  InputError if there is no such file, or if it never was a frames file; damage is not an
-///         error: `warning` tells it and `last` may be empty
+/// throws  InputError if there is no such file, if it never was a frames file, or if what it says
+///         of its run does not agree with its checksum; other damage is not an error: `warning`
+///         tells it and `last` may be empty
 [[nodiscard]] RecoveredFrames read_last_good(const std::filesystem::path& file);
 
 /// What the file says of its run, without a look at its frames.
-/// throws  InputError as read_last_good
+/// throws  InputError as read_last_good, and if damage has left nothing of it
 [[nodiscard]] RunInfo info_of_frames(const std::filesystem::path& file);
 
 /// Shows the good frames of a file, healthy or not, up to and including `step`, by ascending step.

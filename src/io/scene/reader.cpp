@@ -47,9 +47,15 @@ void hold(const Value& value, double number, const Rule& rule) {
   }
 }
 
+/// An integer that no double holds counts as the double nearest to it.
+double nearest_double(const toml::node& number) {
+  if (number.is_integer()) return static_cast<double>(number.as_integer()->get());
+  return number.as_floating_point()->get();
+}
+
 void read(const Value& value, double& target, const Rule& rule) {
   if (!value.node.is_number()) value.expected("a number");
-  target = *value.node.value<double>();
+  target = nearest_double(value.node);
   if (!std::isfinite(target)) {
     value.refuse(value.base(),
                  fmt::format("{} is {}; a finite number was expected", value.name, target));

@@ -14,6 +14,10 @@ namespace {
 
 constexpr double largest = 1e30, least = 1e-30;
 
+/// Of the body's length. A blob is released as long as a panel and as thick as a core, and its
+/// covariance keeps both where their squares are less than 1e16 apart.
+constexpr double thinnest_core = 1e-6;
+
 void hold_size(const Document& document, std::string_view name, double value) {
   const double size = std::abs(value);
   if (size == 0 || (size >= least && size <= largest)) return;
@@ -107,6 +111,11 @@ void hold_cores(const Document& document, const Scene& scene) {
       document.refuse(key, fmt::format("{} is {}; cores wider than half the body's length, {}, "
                                        "know nothing of it",
                                        key, core, half));
+  if (const double least = thinnest_core * 2 * half; scene.cores.sigma_0 < least)
+    document.refuse("cores.sigma_0",
+                    fmt::format("cores.sigma_0 is {}; cores thinner than {:.0e} of the body's "
+                                "length, {:.3g}, are lost beside panels",
+                                scene.cores.sigma_0, thinnest_core, least));
 }
 
 void hold_steps(const Document& document, const Scene& scene) {

@@ -22,6 +22,7 @@ struct Found {
   h5::Handle set;
   std::size_t count = 0;
   std::vector<double>* values;
+  bool of_integers = false;
 };
 
 /// One file being read; every complaint begins with its name.
@@ -63,6 +64,10 @@ class Reader {
         require(
             column, [](double v) { return v >= 0; }, "it must be >= 0");
       }
+      if (column.of_integers)
+        require(
+            column, [](double v) { return std::abs(v) < too_long; },
+            "integers of 2^53 and more are read rounded, if at all: write the column as doubles");
     }
   }
 
@@ -92,12 +97,13 @@ class Reader {
     return fmt::format("{}", fmt::join(found, ", "));
   }
 
-  static void require_line_of_numbers(const Found& found) {
+  static void require_line_of_numbers(Found& found) {
     const h5::Handle type(H5Dget_type(found.set));
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
       refuse(fmt::format("{} does not hold numbers", found.name));
     }
+    found.of_integers = kind == H5T_INTEGER;
     const h5::Handle space(H5Dget_space(found.set));
     const int dimensions = H5Sget_simple_extent_ndims(space);
     if (dimensions == 1) return;
@@ -108,6 +114,7 @@ class Reader {
   }
 
   static constexpr hsize_t most_links = 8;
+  static constexpr double too_long = 0x1p53;  // from here on doubles leave integers out
 
   fs::path path_;
   h5::Handle file_;

@@ -33,7 +33,8 @@ struct Columns {
 /// throws  InputError for: no such file, a folder, a pipe, not HDF5, damaged, numbers that lie in
 ///         another file or whose filter is missing (hdf5_inside.hpp), a required dataset missing,
 ///         not one-dimensional, not numbers, lengths that differ (which, how many), NaN or infinity
-///         (dataset and index), sigma < 0, reach < 0
+///         (dataset and index), sigma < 0, reach < 0, integers of 2^53 and more, of which doubles
+///         hold only some
 [[nodiscard]] Particles read_particles(const std::filesystem::path&, Columns = {});
 
 using Values = std::variant<std::span<const double>, std::span<const std::int64_t>,

@@ -23,9 +23,7 @@ struct Crowded : std::runtime_error {
   std::size_t parts;
 
   explicit Crowded(std::size_t count)
-      : std::runtime_error(std::to_string(count) +
-                           " blobs crowd in one place and cannot merge: the flow there is too "
-                           "strong for the time step and the cores"),
+      : std::runtime_error(std::to_string(count) + " blobs crowd in one place and cannot merge"),
         parts(count) {}
 };
 

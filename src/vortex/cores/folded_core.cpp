@@ -8,6 +8,7 @@ namespace vortree::vortex::folded {
 namespace {
 
 constexpr int per_core = 64, nodes = per_core * static_cast<int>(reach) + 1, terms = 10;
+constexpr double past_nodes = (nodes - 0.5) / per_core;
 using Series = std::array<double, terms>;
 
 /// The mean's Taylor series about each node q: its second derivative is 2/sqrt(pi) exp(-q^2), whose
@@ -34,7 +35,8 @@ const std::array<Series, nodes> about = series_about_nodes();
 
 Profile profile(double q) {
   const double size = std::abs(q);
-  const int k = std::min(static_cast<int>(size * per_core + 0.5), nodes - 1);
+  if (!(size < past_nodes)) return {size, std::copysign(1.0, q), 0};
+  const int k = static_cast<int>(size * per_core + 0.5);
   const double d = size - static_cast<double>(k) / per_core;
   const Series& c = about[k];
   Profile at{c[terms - 1], 0, 0};

@@ -33,8 +33,9 @@ inline bool applies(double y, double s) {
 }
 
 /// A core of width 1 at a distance q from a flat wall: exp(-q^2)/sqrt(pi) + q erf(q), and its first
-/// two derivatives, erf(q) and 2/sqrt(pi) exp(-q^2). |q| <= reach.
-/// error  5e-16: Taylor series about the nearest 64th, from a table
+/// two derivatives, erf(q) and 2/sqrt(pi) exp(-q^2).
+/// error  5e-16 to |q| = reach: Taylor series about the nearest 64th, from a table; 2e-8 for any
+///        other q, of which they are |q|, its sign and 0; no number of what is none
 struct Profile {
   double mean, erf, slope;
 };

@@ -50,7 +50,9 @@ void AlongWall::add(const Trace& trace, std::span<double> values) const {
   const double w = smoothed_over_[(here % n + n) % n], width = std::hypot(w, trace.width);
   const double share = (w / width) * (w / width),
                peak = trace.amount * folded::inverse_sqrt_pi / width;
-  const auto within = static_cast<std::ptrdiff_t>(reach * width / panel_length_) + 1;
+  const auto within = static_cast<std::ptrdiff_t>(
+                          std::min(static_cast<double>(n), reach * width / panel_length_)) +
+                      1;
   const std::ptrdiff_t first = here - std::min(within, (n - 1) / 2);
   const std::ptrdiff_t last = here + std::min(within, (n - 1) / 2);
   // The Gaussian of equidistant places: exp(-(x + h)^2) = exp(-x^2) exp(-2 x h - h^2), and that

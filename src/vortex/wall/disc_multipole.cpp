@@ -17,7 +17,8 @@ constexpr double inverse_two_pi = 0.5 * std::numbers::inv_pi;
 /// Terms of a series in R/r that leave out less than the tolerance.
 int terms_for(double radii) {
   const double terms = std::log(tolerance * (1 - 1 / radii)) / -std::log(radii);
-  return std::clamp(static_cast<int>(std::ceil(terms)), 1, fmm::most_terms);
+  return static_cast<int>(
+      std::clamp(std::ceil(terms), 1.0, static_cast<double>(fmm::most_terms)));
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ std::size_t NearPanels::places() const {
 
 /// Where the window begins that has the panel at this arc in its middle.
 std::size_t NearPanels::first_place(double arc) const {
-  return std::min(static_cast<std::size_t>(arc / length_), panels_);
+  return static_cast<std::size_t>(
+      std::max(0.0, std::min(static_cast<double>(panels_), arc / length_)));
 }
 
 NearPanels::Column NearPanels::column(auto of_panel) const {

@@ -139,6 +139,39 @@ TEST_CASE("what never was a frames file is an error, not damage") {
             " is HDF5 but no frames file: its attribute version is missing");
 }
 
+TEST_CASE("what a frames file says of its run agrees with its checksum, or the file is refused") {
+  const Sandbox box;
+  write_run(box, 2, 20);
+  std::string damaged = text_of(frames_in(box));
+  const std::size_t at = damaged.find("nu = 1 #");
+  REQUIRE(at != std::string::npos);
+  damaged[at + 5] = '3';
+  const auto path = box.write("damaged.h5", damaged);
+  const std::string words =
+      path.string() + " is damaged: what it says of its run does not agree with its checksum";
+  CHECK(refusal([&] { (void)read_last_good(path); }) == words);
+  CHECK(refusal([&] { (void)info_of_frames(path); }) == words);
+}
+
+TEST_CASE("a frames file of an earlier version, without a checksum of its run, is read") {
+  const Sandbox box;
+  write_run(box, 2, 20);
+  h5::Handle file = h5::open_file(frames_in(box), H5F_ACC_RDWR);
+  REQUIRE(H5Adelete(file, "checksum") >= 0);
+  h5::close_file(std::move(file), frames_in(box));
+  CHECK(info_of_frames(frames_in(box)) == info);
+}
+
+TEST_CASE("a frames file whose beginning is lost says so where its run is asked for") {
+  const Sandbox box;
+  write_run(box, 2, 20);
+  std::string damaged = text_of(frames_in(box));
+  damaged.replace(96, 800, 800, '\0');
+  const auto path = box.write("damaged.h5", damaged);
+  CHECK(refusal([&] { (void)info_of_frames(path); }) ==
+        path.string() + " is damaged at its beginning: what it says of its run is lost");
+}
+
 TEST_CASE("a kill loses at most the frame that was being written") {
   const Sandbox box;
   std::mt19937 random(9);

@@ -46,6 +46,14 @@ TEST_CASE("every key of a scene is read") {
         CheckSettings{.lift_max = 0.01, .exact = ExactAnswer::lamb_oseen, .blobs_max = 100000});
 }
 
+TEST_CASE("an integer that no double holds is read as the nearest double") {
+  CHECK(parse(plain, {"initial.centre=[9007199254740993,-9223372036854775807]"}).initial->centre ==
+        Vec2{9007199254740992.0, -9223372036854775808.0});
+  CHECK(parse(plain, {"flow.nu=0x20000000000001", "initial.core=1e17", "cores.sigma_max=1e16",
+                      "cores.sigma_0=9007199254740993"})
+            .cores.sigma_0 == 9007199254740992.0);
+}
+
 TEST_CASE("a resolved scene is a scene, and the same one") {
   for (const std::string& text : {plain, full}) {
     const Scene scene = parse(text);

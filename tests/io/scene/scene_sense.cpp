@@ -88,6 +88,9 @@ TEST_CASE("cores wider than half the body, and steps that turn the flow around, 
              Contains("cores.sigma_max is 0.6; cores wider than half the body's length, 0.5"));
   CHECK_THAT(refused(cylinder + own, {"cores.sigma_max=0.7", "cores.sigma_0=0.6"}),
              Contains("cores.sigma_0 is 0.6"));
+  CHECK_THAT(refused(cylinder + own, {"cores.sigma_0=0.9e-6"}),
+             Contains("cores.sigma_0 is 9e-07; cores thinner than 1e-06 of the body's length"));
+  CHECK_NOTHROW(parse(cylinder + own, {"cores.sigma_0=1.1e-6"}));
   CHECK_THAT(refused(plain, {"initial.circulation=1e5"}), Contains("rad a step"));
   CHECK_THAT(refused(cylinder, {"time.dt=10", "time.end=100", "flow.reynolds=1e4"}),
              Contains("rad a step"));

@@ -82,6 +82,20 @@ TEST_CASE("any type of number is read") {
   CHECK(read_particles(path).x == three);
 }
 
+TEST_CASE("integers that doubles round are refused with their column, those before them are read") {
+  const Sandbox box;
+  const auto with_y = [&](std::int64_t last) {
+    return file_with(box, "y", [&](hid_t file) {
+      const std::vector<std::int64_t> y{1, -2, last};
+      h5::write(file, "y", std::span<const std::int64_t>(y));
+    });
+  };
+  const std::int64_t first_lost = (std::int64_t{1} << 53) + 1;
+  CHECK(read_particles(with_y(first_lost - 2)).y.back() == static_cast<double>(first_lost - 2));
+  for (const std::int64_t lost : {first_lost, -first_lost})
+    CHECK_THAT(refused(with_y(lost)), StartsWith(": y[2] is ") && EndsWith("as doubles"));
+}
+
 TEST_CASE("no particles are particles too") {
   const Sandbox box;
   const Doubles none;

@@ -44,6 +44,19 @@ TEST_CASE("the profile of a folded core is that of exp and erf, to 5e-16") {
   }
 }
 
+TEST_CASE("a core however thin, or of no finite place, has a profile, and that of one far away") {
+  for (const double q : {4.01, 5.0, 1e3, 4e7, 1e15, 1e300, double(INFINITY)})
+    for (const double sign : {1.0, -1.0}) {
+      const folded::Profile at = folded::profile(sign * q);
+      CHECK(at.mean == q);
+      CHECK(at.erf == sign);
+      CHECK(at.slope == 0);
+    }
+  CHECK(std::isnan(folded::profile(NAN).mean));
+  CHECK(folded::mean_distance(-1, 1e-30, 0) == 1);
+  CHECK(std::isfinite(folded::place(1, 1e-30, 0).y));
+}
+
 TEST_CASE("mean and variance of a folded core at a flat wall are the quadrature's to 1e-10") {
   for (double s : cores) {
     for (double q : distances) {
