@@ -16,6 +16,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 
@@ -97,6 +98,21 @@ constexpr int most_threads = 4096, most_repeats = 1000000;
 const CLI::Validator a_name(
     [](const std::string& word) { return word.empty() ? "the name is empty" : std::string(); }, "");
 
+/// One of these words, and nothing else, becomes its value.
+template <class Value>
+CLI::Validator one_of(const std::map<std::string, Value>& known) {
+  std::string words;
+  for (const auto& [word, value] : known) words += (words.empty() ? "" : ",") + word;
+  return {[=](std::string& word) {
+            const auto found = known.find(word);
+            if (found == known.end())
+              return fmt::format("{} not in {{{}}}", io::shortened(word, 40), words);
+            word = fmt::format("{}", static_cast<int>(found->second));
+            return std::string();
+          },
+          ":{" + words + "}"};
+}
+
 void add_threads(CLI::App& command, Words& words) {
   command.add_option("--threads", words.threads, "threads; all by default")
       ->check(within(1, most_threads))
@@ -171,7 +187,7 @@ void add_velocity(CLI::App& program, Words& words) {
       ->type_name("NAME")
       ->capture_default_str();
   command.add_option("--builder", job.options.builder, "how to build the tree")
-      ->transform(CLI::CheckedTransformer(builders).description(":{reverse,forward}"))
+      ->transform(one_of(builders))
       ->type_name("NAME")
       ->default_str("reverse");
   command
@@ -222,7 +238,7 @@ void add_neighbors(CLI::App& program, Words& words) {
   command
       .add_option("--rule", job.rule,
                   "neighbors are nearer than the larger reach, the mean, the particle's own")
-      ->transform(CLI::CheckedTransformer(rules).description(":{max,mean,own}"))
+      ->transform(one_of(rules))
       ->type_name("NAME")
       ->default_str("max");
   command.add_option("--method", job.method, "how to search")
@@ -285,7 +301,20 @@ std::unique_ptr<CLI::App> grammar(Words& words) {
   return made;
 }
 
+/// As an option that is given twice.
+void refuse_repeated(std::span<const std::string> overrides) {
+  std::map<std::string, std::string> seen;
+  for (const std::string& word : overrides) {
+    std::string key = word.substr(0, word.find('='));
+    key.erase(key.find_last_not_of(' ') + 1);
+    if (const auto [at, fresh] = seen.emplace(key, word); !fresh)
+      throw io::InputError(fmt::format("command line: {} and {}: a key is given once", at->second,
+                                       io::shortened(word, 60)));
+  }
+}
+
 int run_scene(RunOptions options, int threads) {
+  refuse_repeated(options.overrides);
   options.threads = threads;
   if (options.out.empty())
     options.out = std::filesystem::path("runs") / find_scene(options.scene).stem();
@@ -316,6 +345,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (words.threads > 0) omp_set_num_threads(words.threads);
   if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
   if (program.got_subcommand("cases")) tell("{}", list_cases());
+  if (program.got_subcommand("check")) refuse_repeated(words.overrides);
   if (program.got_subcommand("check"))
     tell("{}", words.keys ? keys() : check(words.scene, words.overrides));
   if (program.got_subcommand("velocity")) return print_velocity(words.velocity);

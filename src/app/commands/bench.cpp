@@ -72,7 +72,9 @@ void bench_trees(const TreeBenchJob& job) {
                          .largest = job.largest,
                          .flows = {}};
   if (!job.blobs.empty()) {
-    for (const io::Frame& frame : io::read_frames(job.blobs, most_moments)) {
+    const std::vector<io::Frame> frames = io::read_frames(job.blobs, most_moments);
+    if (frames.empty()) throw io::InputError(job.blobs.string() + " has no frames");
+    for (const io::Frame& frame : frames) {
       const auto column = [&](const char* name) { return flow::column(frame.columns, name); };
       bench::PointSet set{column("x"), column("y"), column("gamma"), column("sigma")};
       if (set.size() > 0) trees.flows.push_back({fmt::format("flow_t{:g}", frame.time), set});

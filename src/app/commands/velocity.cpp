@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
 
+#include "app/say.hpp"
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
 #include "base/memory.hpp"
@@ -17,6 +19,7 @@
 #include "io/files.hpp"
 #include "io/tables/particles.hpp"
 #include "io/while_reading.hpp"
+#include "tree/order/points.hpp"
 
 namespace vortree::app {
 namespace {
@@ -58,6 +61,39 @@ bench::Account sum(Problem& problem, const VelocityJob& job, Stopwatch& watch) {
   return method_named(job.method)
       .sum({problem.blobs(), problem.points(), problem.elsewhere, problem.u, problem.v},
            job.options, phase, {.repeated = job.repeat > 1});
+}
+
+void blame_if_refused(const std::filesystem::path& file, const auto& check) {
+  try {
+    check();
+  } catch (const std::invalid_argument& refused) {
+    throw io::InputError(fmt::format("{}: {}", file.string(), refused.what()));
+  }
+}
+
+// What a method refuses has a file's name, if that file alone is refused.
+bench::Account sum_or_blame(Problem& problem, const VelocityJob& job, Stopwatch& watch) {
+  try {
+    return sum(problem, job, watch);
+  } catch (const std::invalid_argument&) {
+    blame_if_refused(job.in, [&] {
+      (void)fmm::check(problem.blobs());
+      (void)tree::enclose({problem.sources.x, problem.sources.y});
+    });
+    blame_if_refused(job.targets, [&] {
+      (void)tree::enclose({problem.points().x, problem.points().y});
+    });
+    throw;
+  }
+}
+
+void warn_of_few_terms(const VelocityJob& job, const bench::Account& account) {
+  constexpr int few = 7;
+  const int order = job.options.order;
+  if (account.order && order > 0 && order < few)
+    say("warning: --order {}: so few terms err by some {:.1g}, whatever --tolerance is; 0 chooses "
+        "them",
+        order, 0.1 * std::pow(0.5, order));
 }
 
 template <class Value>
@@ -145,7 +181,8 @@ VelocityReport velocity(const VelocityJob& job) {
   check_memory(problem);
   std::vector<Stopwatch> laps(job.repeat);
   bench::Account account;
-  for (Stopwatch& lap : laps) account = sum(problem, job, lap);
+  for (Stopwatch& lap : laps) account = sum_or_blame(problem, job, lap);
+  warn_of_few_terms(job, account);
 
   files.begin("io");
   write_result(job.out, problem);

@@ -80,16 +80,17 @@ void doubt_panels(List& list, const body::BodySettings& body, double thin) {
   if (panel > 6 * thin)
     list.push_back(fmt::format(
         "body.panels = {}: panels of {:.2g} are {:.2g} released cores long, so that fresh "
-        "vorticity has gaps along the wall: the drag will be noisy, by percents and more; {} are "
+        "vorticity has gaps along the wall: the drag will be noisy, by percents and more; {:.0f} "
+        "are "
         "enough",
-        body.panels, panel, panel / thin, static_cast<int>(std::ceil(around / (2.4 * thin)))));
+        body.panels, panel, panel / thin, std::ceil(around / (2.4 * thin))));
   const double tip = io::tip_radius(body);
   if (panel > io::coarse_at_tip * tip)
     list.push_back(fmt::format(
         "body.panels = {}: panels of {:.2g} do not resolve an edge of radius {:.2g}: the sheet "
-        "around it will be off by {}; {} are enough",
+        "around it will be off by {}; {:.0f} are enough",
         body.panels, panel, tip, panel > 3 * tip ? "a tenth and more" : "percents",
-        static_cast<int>(std::ceil(around / (io::panel_at_tip * tip)))));
+        std::ceil(around / (io::panel_at_tip * tip))));
 }
 
 void doubt_body(List& list, const io::Scene& scene) {
@@ -145,10 +146,34 @@ void doubt_vortex(List& list, const io::Scene& scene) {
         scene.cores.sigma_max, scene.cores.sigma_max / width, width, 0.27 * width));
 }
 
+/// Where doubles are too coarse for places: positions are computed as seen from the flow's centre,
+/// but written as they are in the scene.
+void doubt_places(List& list, const io::Scene& scene) {
+  constexpr double share = 0.01, spacing = 0x1p-52;
+  const auto doubt = [&](const char* key, const io::Vec2& centre, const io::Vec2& way) {
+    const double far = std::max(std::hypot(centre[0], centre[1]),
+                                std::hypot(centre[0] + way[0], centre[1] + way[1]));
+    if (far * spacing > share * scene.cores.sigma_0)
+      list.push_back(fmt::format(
+          "{} = [{:.4g}, {:.4g}]: doubles are {:.2g} apart so far from the origin, and "
+          "cores.sigma_0 = {:.3g}: places in frames.h5 will be off, or all the same; within "
+          "{:.2g} of it they are right",
+          key, centre[0], centre[1], far * spacing, scene.cores.sigma_0,
+          share * scene.cores.sigma_0 / spacing));
+  };
+  const double end = scene.time.end;
+  const io::Vec2 drift{scene.flow.stream[0] * end, scene.flow.stream[1] * end};
+  if (scene.body)
+    doubt("body.centre", scene.body->centre, {});
+  else if (scene.initial)
+    doubt("initial.centre", scene.initial->centre, drift);
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const io::Scene& scene) {
   List list = warnings_of_times(scene);
+  doubt_places(list, scene);
   if (scene.body && io::fastest_of(scene) > 0 && scene.flow.nu > 0) doubt_body(list, scene);
   if (scene.initial) doubt_initial(list, *scene.initial, scene.cores.sigma_0);
   if (scene.initial && scene.body && io::covers(*scene.body, scene.initial->centre))

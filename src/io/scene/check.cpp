@@ -88,6 +88,18 @@ constexpr Need needs[] = {
     {"energy_max", &C::energy_max, free_space, "free space, no [body]"},
 };
 
+/// What is known of a flow, and how far off it may be: one is nothing without the other.
+struct Known {
+  std::string_view key;
+  std::optional<double> SceneCheck::*known, SceneCheck::*asked;
+};
+
+constexpr Known knowns[] = {{"strouhal", &C::strouhal, &C::strouhal_max},
+                            {"mean_drag", &C::mean_drag, &C::mean_drag_max},
+                            {"mean_lift", &C::mean_lift, &C::mean_lift_max},
+                            {"morison_drag", &C::morison_drag, &C::morison_drag_max},
+                            {"morison_mass", &C::morison_mass, &C::morison_mass_max}};
+
 }  // namespace
 
 void check_asked(const Document& document, const Scene& scene) {
@@ -96,6 +108,12 @@ void check_asked(const Document& document, const Scene& scene) {
       const std::string key = fmt::format("check.{}", need.key);
       document.refuse(
           key, fmt::format("{} is {}; that needs {}", key, *(scene.check.*need.asked), need.words));
+    }
+  for (const Known& known : knowns)
+    if (scene.check.*known.known && !(scene.check.*known.asked)) {
+      const std::string key = fmt::format("check.{}", known.key);
+      document.refuse(key, fmt::format("{} is {}; that needs {}_max, how far off it may be", key,
+                                       *(scene.check.*known.known), key));
     }
 }
 

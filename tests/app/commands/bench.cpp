@@ -80,3 +80,11 @@ print(all(float(row['seconds']) > 0 and int(row['pairs']) > 0 for row in rows))
         "'level-grids', 'linked-list', 'qcg', 'r-tree', 'uniform-grid'] ['max', 'mean', 'own']\n"
         "True\n");
 }
+
+TEST_CASE("a frames file without frames is no flow to measure") {
+  const TemporaryFolder folder;
+  write_particles(folder / "p.h5", {{"x", {0, 1}}});
+  const auto outcome = call("bench trees --quick --largest 100 --blobs p.h5 --out b", folder);
+  CHECK(outcome.code == 2);
+  CHECK(outcome.err == "vortree: p.h5 has no frames\n");
+}

@@ -168,3 +168,17 @@ TEST_CASE("a complaint is short and shows what it must not do to a terminal") {
           outcome.err.substr(0, outcome.err.size() - 1) + " ");
   }
 }
+
+TEST_CASE("a key that is given twice is refused, as an option is, and words are not numbers") {
+  const TemporaryFolder folder;
+  folder.write("a.toml", "");
+  for (const char* line : {"check a.toml time.dt=1 time.dt=2", "run a.toml seed=1 'seed =2'"}) {
+    const auto outcome = call(line, folder);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.find("a key is given once") != std::string::npos);
+  }
+  for (const char* option :
+       {"velocity a.h5 --out b.h5 --builder 1", "neighbors a.h5 --out b.h5 --rule 1"})
+    CHECK(call(option, folder).err.find(": 1 not in {") != std::string::npos);
+}

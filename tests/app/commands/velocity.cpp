@@ -66,6 +66,35 @@ std::string json(const TemporaryFolder& folder, const std::string& line,
 
 }  // namespace
 
+TEST_CASE("so few terms that the tolerance cannot be kept are warned of") {
+  const TemporaryFolder folder;
+  write_cloud(folder / "in.h5", 300, false);
+  const auto few = call("velocity in.h5 --out uv.h5 --order 1", folder);
+  CHECK(few.code == 0);
+  CHECK(few.err.starts_with("vortree: warning: --order 1: so few terms err by some 0.05"));
+  CHECK(call("velocity in.h5 --out uv.h5 --order 16", folder).err.empty());
+  CHECK(call("velocity in.h5 --out uv.h5 --order 1 --method direct", folder).err.empty());
+}
+
+TEST_CASE("what cannot be summed is refused with the file it stands in, sources or targets") {
+  const TemporaryFolder folder;
+  const auto write = [&](const char* name, double x, double sigma) {
+    write_particles(folder / name,
+                    {{"x", {x, 0}}, {"y", {0, 1}}, {"gamma", {1, 1}}, {"sigma", {sigma, sigma}}});
+  };
+  write("good.h5", 1, 0.1);
+  write("far.h5", 1e308, 0.1);
+  write("wide.h5", 1, 1e300);
+  const auto said = [&](const std::string& files) {
+    const auto outcome = call("velocity " + files + " --out uv.h5", folder);
+    CHECK(outcome.code == 2);
+    return outcome.err;
+  };
+  CHECK(said("far.h5").starts_with("vortree: far.h5: x[0] is 1e+308"));
+  CHECK(said("wide.h5").starts_with("vortree: wide.h5: sigma[0] is 1e+300"));
+  CHECK(said("good.h5 --targets far.h5").starts_with("vortree: far.h5: "));
+}
+
 TEST_CASE("boxes and the direct sum agree within the tolerance, for bare and for cored vortices") {
   const TemporaryFolder folder;
   const bool cored = GENERATE(false, true);

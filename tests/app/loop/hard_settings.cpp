@@ -88,6 +88,12 @@ TEST_CASE("a box that takes away what the body feels is named, with one that doe
   CHECK(doubts("[-5,-8,25,8]", "flow.reynolds=100").empty());
 }
 
+TEST_CASE("a place so far from the origin that doubles lose the blobs' own is named") {
+  CHECK(about(doubted({"body.centre=[1e17,0]"}), "body.centre"));
+  CHECK(about(doubted({"body.centre=[0,-1e13]"}), "body.centre"));
+  CHECK(doubted({"body.centre=[1e11,0]"}).empty());
+}
+
 TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws, is named") {
   const auto doubted_of = [&](const std::vector<std::string>& overrides) {
     return checks::warnings(io::parse_scene(free_vortex, "vortex.toml", overrides));

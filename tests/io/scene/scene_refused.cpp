@@ -52,6 +52,13 @@ TEST_CASE("a value of the wrong type is refused with what it is and what was exp
         "cases/ring.toml:18: velocity.method is \"fast\"; known: fmm, boxes, direct");
 }
 
+TEST_CASE("what is known of a wake is refused without how far off it may be") {
+  const std::string cylinder = with("[initial]", "[body]\nradius = 0.5\n[initial]");
+  for (const std::string key : {"strouhal", "mean_drag", "mean_lift", "morison_drag"})
+    CHECK_THAT(refused(cylinder, {"check." + key + "=0.2"}),
+               EndsWith("that needs check." + key + "_max, how far off it may be"));
+}
+
 TEST_CASE("a value out of its range is refused with the range") {
   const auto extra = [](const std::string& lines) { return refused(plain + lines); };
   CHECK(refused(with("1e-3", "-0.001")) ==
