@@ -91,7 +91,7 @@ constexpr Need needs[] = {
 /// What is known of a flow, and how far off it may be: one is nothing without the other.
 struct Known {
   std::string_view key;
-  std::optional<double> SceneCheck::*known, SceneCheck::*asked;
+  std::optional<double> CheckSettings::*known, CheckSettings::*asked;
 };
 
 constexpr Known knowns[] = {{"strouhal", &C::strouhal, &C::strouhal_max},
