@@ -81,7 +81,7 @@ TEST_CASE("a value out of its range is refused with the range") {
   CHECK(extra("[body]\nradius = 2\npanels = 3000000000") ==
         "cases/ring.toml:19: body.panels is 3000000000; it must be <= 2147483647");
   CHECK(extra("[splitting]\nalpha = 1") ==
-        "cases/ring.toml:18: splitting.alpha is 1; it must lie between 0 and 1");
+        "cases/ring.toml:18: splitting.alpha is 1; it must be >= 0.1 and < 1");
   CHECK(extra("[splitting]\nchildren = 2") ==
         "cases/ring.toml:18: splitting.children is 2; a ring has 3 to 64 children");
   CHECK(extra("[merging]\ntolerance = -1") ==
