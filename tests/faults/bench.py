@@ -94,7 +94,7 @@ def has_frames(folder):
     try:
         with h5py.File(folder / "frames.h5") as file:
             return any(name.startswith("frame_") for name in file)
-    except OSError:
+    except (OSError, RuntimeError):  # h5py has one or the other for what it cannot read
         return False
 
 
