@@ -6,7 +6,7 @@
 namespace vortree::exact {
 namespace {
 
-/// 2/pi int_0^inf f(k) dk by the trapezoid rule in log(k + k0): f falls off as exp(-(k/widest)^2),
+/// 2/pi int_0^inf f(k) dk by the trapezoid rule in log k: f falls off as exp(-(k/widest)^2),
 /// and near 0 as a power of k or as 1/log^2.
 double integral(double widest, auto f) {
   constexpr int points = 2000;
