@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "exact/theodorsen.hpp"
+#include "io/scene/scales.hpp"
 
 namespace vortree::checks {
 namespace {
@@ -66,9 +67,8 @@ void check_plunge(std::vector<Verdict>& list, const Finished& run) {
   check_morison(list, scene.check, t, rows.column("cd_impulse"), periods, omega, scales);
   add(list, "theodorsen_max", scene.check.theodorsen_max, [&]() -> Reached {
     if (!periods.any()) return no_period;
-    const auto [x, y] = scene.plunge->direction;
     const double half = scales.length / 2;
-    const Vec2 amplitude = scene.plunge->amplitude * ((1 / std::hypot(x, y)) * Vec2{x, y});
+    const Vec2 amplitude = scene.plunge->amplitude * io::unit(scene.plunge->direction);
     const auto plate =
         exact::lift_of_plunge(dot(amplitude, scales.across()) / half, omega * half / scales.speed);
     const auto ours = at_frequency(t, rows.column("cl_impulse"), periods, omega);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <functional>
 #include <vector>
 
 #include "base/vec2.hpp"

@@ -122,10 +122,10 @@ flow::Measures Solver::measure() const {
   Vec2 moment = wall() ? wake_.moment : now.moment + wake_.retired.moment;
   // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
   const Vec2 from = wall() ? Vec2{} : origin();
-  if (dot(from, from) > 0) moment = moment + circulation * from;
+  const bool elsewhere = dot(from, from) > 0;
+  if (elsewhere) moment = moment + circulation * from;
   const Form form = wall() ? Form{} : vortex::form(blobs_);
   const Vec2 plus = wall() ? Vec2{} : form.positive_centre;
-  const bool moves = dot(from, from) > 0;
   const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && flow.plunge.frequency == 0 &&
                     flow.spin.rate == 0;
   return {
@@ -141,8 +141,8 @@ flow::Measures Solver::measure() const {
       {"quadrupole_xy", "L^4/T", form.quadrupole.y},
       {"separation", "L", form.separation},
       {"circulation_plus", "L^2/T", form.positive},
-      {"plus_x", "L", moves ? plus.x + from.x : plus.x},
-      {"plus_y", "L", moves ? plus.y + from.y : plus.y},
+      {"plus_x", "L", elsewhere ? plus.x + from.x : plus.x},
+      {"plus_y", "L", elsewhere ? plus.y + from.y : plus.y},
   };
 }
 

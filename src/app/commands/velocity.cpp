@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -16,6 +15,7 @@
 #include "base/memory.hpp"
 #include "bench/measures/accuracy.hpp"
 #include "bench/measures/methods.hpp"
+#include "checks/warnings/warnings_of_means.hpp"
 #include "io/files.hpp"
 #include "io/tables/particles.hpp"
 #include "io/while_reading.hpp"
@@ -88,12 +88,11 @@ bench::Account sum_or_blame(Problem& problem, const VelocityJob& job, Stopwatch&
 }
 
 void warn_of_few_terms(const VelocityJob& job, const bench::Account& account) {
-  constexpr int few = 7;
+  if (!account.order) return;
   const int order = job.options.order;
-  if (account.order && order > 0 && order < few)
-    say("warning: --order {}: so few terms err by some {:.1g}, whatever --tolerance is; 0 chooses "
-        "them",
-        order, 0.1 * std::pow(0.5, order));
+  const std::string doubt =
+      checks::doubt_of_terms(order, fmt::format("--order {}", order), "--tolerance");
+  if (!doubt.empty()) say("warning: {}", doubt);
 }
 
 template <class Value>

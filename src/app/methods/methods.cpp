@@ -11,6 +11,7 @@
 #include "checks/warnings/warnings.hpp"
 #include "io/input_error.hpp"
 #include "io/quote.hpp"
+#include "io/scene/scales.hpp"
 #include "io/suggestion.hpp"
 
 namespace vortree::app {
@@ -41,14 +42,11 @@ flow::Scales scales_of(const io::Scene& scene) {
   scales.body = scene.body.has_value();
   if (scene.body) scales.length = io::length_of(*scene.body);
   if (const double speed = io::speed_of(scene); speed > 0) scales.speed = speed;
-  const auto unit = [](const io::Vec2& a) {
-    return (1 / std::hypot(a[0], a[1])) * Vec2{a[0], a[1]};
-  };
   const bool stream = std::hypot(scene.flow.stream[0], scene.flow.stream[1]) > 0;
   if (stream)
-    scales.along = unit(scene.flow.stream);
+    scales.along = io::unit(scene.flow.stream);
   else if (scene.plunge)
-    scales.along = unit(scene.plunge->direction);
+    scales.along = io::unit(scene.plunge->direction);
   scales.impulsive = stream || (scene.motion && scene.motion->spin != 0);
   return scales;
 }

@@ -41,12 +41,8 @@ std::unique_ptr<body::Shape> shape_of(const body::BodySettings& body) {
   return body::circle({}, *body.radius);
 }
 
-Vec2 unit(const io::Vec2& a) {
-  return (1 / std::hypot(a[0], a[1])) * vec(a);
-}
-
 body::Plunge plunge_of(const body::PlungeSettings& plunge) {
-  return {plunge.amplitude * unit(plunge.direction), plunge.frequency};
+  return {plunge.amplitude * io::unit(plunge.direction), plunge.frequency};
 }
 
 std::optional<vortex::Box> box_of(const vortex::MergingSettings& merging) {

@@ -130,11 +130,10 @@ void doubt_other_diffusion(List& list, const io::Scene& scene) {
 
 void doubt_sums(List& list, const vortex::VelocitySettings& velocity) {
   if (velocity.method == fmm::Method::direct) return;
-  if (velocity.order > 0 && velocity.order < 7)
-    list.push_back(fmt::format(
-        "velocity.order = {}: so few terms err by some {:.1g}, whatever velocity.tolerance is; 0 "
-        "chooses them",
-        velocity.order, 0.1 * std::pow(0.5, velocity.order)));
+  const std::string few = doubt_of_terms(
+      velocity.order, fmt::format("velocity.order = {}", velocity.order), "velocity.tolerance");
+  if (!few.empty())
+    list.push_back(few);
   else if (velocity.tolerance > 5e-3)
     list.push_back(
         fmt::format("velocity.tolerance = {:.2g}: every velocity may be off by so much of itself; "
@@ -180,6 +179,13 @@ void doubt_output(List& list, const io::Scene& scene) {
 }
 
 }  // namespace
+
+std::string doubt_of_terms(int order, std::string_view given, std::string_view tolerance) {
+  constexpr int enough = 7;
+  if (order <= 0 || order >= enough) return "";
+  return fmt::format("{}: so few terms err by some {:.1g}, whatever {} is; 0 chooses them", given,
+                     0.1 * std::pow(0.5, order), tolerance);
+}
 
 List warnings_of_means(const io::Scene& scene) {
   List list;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/scene/scene.hpp"
@@ -10,5 +11,12 @@ namespace vortree::checks {
 /// Doubts (warnings.hpp) about the means of a scene, whatever flow it has: splitting, merging,
 /// other diffusion, sums of velocities; and about what it asks to be written.
 std::vector<std::string> warnings_of_means(const io::Scene& scene);
+
+/// What so few terms of a series err by, whatever tolerance is asked for; nothing for enough of
+/// them, and for 0, which chooses them.
+///
+/// given      the setting as the user wrote it: "velocity.order = 3"
+/// tolerance  what the tolerance is called there
+std::string doubt_of_terms(int order, std::string_view given, std::string_view tolerance);
 
 }  // namespace vortree::checks

@@ -76,6 +76,10 @@ double turn_at_tip(const Scene& scene) {
   return speed * std::sqrt(half / round) / round * scene.time.dt;
 }
 
+::vortree::Vec2 unit(const Vec2& a) {
+  return (1 / std::hypot(a[0], a[1])) * ::vortree::Vec2{a[0], a[1]};
+}
+
 double width_of_endless_splits(const Scene& scene) {
   const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
   return std::sqrt(alpha2 / (1 - alpha2) * 4 * scene.flow.nu * scene.time.dt);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/vec2.hpp"
 #include "io/scene/scene.hpp"
 
 namespace vortree::io {
@@ -41,6 +42,9 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 /// with U sqrt(a/r)/r, a half its length, r the radius there or, if wider, a released core. Up to
 /// 13 rad a foil's blobs stayed few; from 20 on they multiplied there.
 [[nodiscard]] double turn_at_tip(const Scene& scene);
+
+/// The direction of a vector of the scene, which is not 0.
+[[nodiscard]] ::vortree::Vec2 unit(const Vec2& a);
 
 /// The widths of what splits every step [m]: alpha^2 (w^2 + 4 nu dt) = w^2. If the children are too
 /// wide to merge, cap sigma_max^2 < w^2, blobs multiply.

@@ -17,6 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of a report, empty if there is none. throws InputError if it is no regular file.
+std::string report_text(const fs::path& path) {
+  if (!fs::exists(path)) return {};
+  require_regular_file(path);
+  return read_text(path);
+}
+
 std::string joined(const std::vector<std::string>& columns) {
   return fmt::format("{}", fmt::join(columns, ","));
 }
@@ -111,12 +118,6 @@ std::optional<TableMark> mark_of_rows(const std::vector<std::string>& columns,
                                       std::span<const double> rows) {
   if (rows.size() % columns.size() != 0) return std::nullopt;
   return mark_of_page(page(columns, rows));
-}
-
-std::string report_text(const fs::path& path) {
-  if (!fs::exists(path)) return {};
-  require_regular_file(path);
-  return read_text(path);
 }
 
 }  // namespace vortree::io

@@ -60,7 +60,4 @@ class Report {
 [[nodiscard]] std::optional<TableMark> mark_of_rows(const std::vector<std::string>& columns,
                                                     std::span<const double> rows);
 
-/// The text of a report, empty if there is none. throws InputError if it is no regular file.
-[[nodiscard]] std::string report_text(const std::filesystem::path&);
-
 }  // namespace vortree::io
