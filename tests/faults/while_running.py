@@ -1,5 +1,6 @@
 """What happens to a run while it runs: to its files, by signals, by limits, by a second run."""
 
+import errno
 import os
 import random
 import resource
@@ -38,7 +39,15 @@ def require_same_to_a_later_end(bench, scene, folder):
 
 def spoiled_while_running(bench, count, random):
     def remove(path):
-        shutil.rmtree(path) if path.is_dir() else path.unlink()
+        if not path.is_dir():
+            return path.unlink()
+        for _ in range(100):  # the run may add a file while its folder is emptied
+            try:
+                return shutil.rmtree(path)
+            except OSError as refused:
+                if refused.errno != errno.ENOTEMPTY:
+                    raise
+        raise RuntimeError(f"{path} is filled faster than it is emptied")
 
     def empty(path):
         path.write_text("")
