@@ -188,7 +188,10 @@ TEST_CASE("blobs that multiply end the run before they fill the machine") {
       "run cylinder.toml time.dt=0.1 cores.sigma_max=0.03 cores.sigma_0=0.02 time.end=3", folder);
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("they multiply faster than they merge") != std::string::npos);
+  // Their number or the crowd in one place is over its limit first: round-off decides which.
+  const std::string why = ", since a step widens them by more than splitting makes up for";
+  CHECK((outcome.err.find("they multiply faster than they merge" + why) != std::string::npos ||
+         outcome.err.find("blobs crowd in one place and cannot merge" + why) != std::string::npos));
   CHECK(outcome.err.find("the last good frame is that of step") != std::string::npos);
 }
 
