@@ -7,9 +7,11 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -109,16 +111,16 @@ struct Key {
   Target target;
   Rule rule;
   std::string_view unit;
-  std::string_view says;
+  std::string says;
 };
 
 template <class T>
 [[nodiscard]] Key key(std::string_view name, T& value, Rule rule, std::string_view unit,
-                      std::string_view says) {
+                      std::string says) {
   if constexpr (requires { one_of(value); }) {
-    return {name, one_of(value), rule, unit, says};
+    return {name, one_of(value), rule, unit, std::move(says)};
   } else {
-    return {name, &value, rule, unit, says};
+    return {name, &value, rule, unit, std::move(says)};
   }
 }
 
@@ -127,8 +129,43 @@ template <class T>
 requires requires(T& value) {
   one_of(value);
 }
-[[nodiscard]] Key key(std::string_view name, T& value, std::string_view says) {
-  return {name, one_of(value), anything, "", says};
+[[nodiscard]] Key key(std::string_view name, T& value, std::string says) {
+  return {name, one_of(value), anything, "", std::move(says)};
 }
+
+/// A table of a scene.
+///
+/// required  a scene without it is refused
+/// present   whether the scene has it; only an optional one may be lacking
+/// keys      those of the table, which is made, with its defaults, if the scene lacks it
+struct Table {
+  std::string_view name;
+  bool required;
+  std::function<bool()> present;
+  std::function<std::vector<Key>()> keys;
+};
+
+/// A table that is always there, if need be with its defaults.
+template <class Settings>
+[[nodiscard]] Table table(std::string_view name, Settings& settings, bool required = false) {
+  return {name, required, [] { return true; }, [&settings] { return keys(settings); }};
+}
+
+/// One that a scene may lack.
+template <class Settings>
+[[nodiscard]] Table table(std::string_view name, std::optional<Settings>& settings) {
+  return {name, false, [&settings] { return settings.has_value(); },
+          [&settings] { return keys(settings ? *settings : settings.emplace()); }};
+}
+
+/// What a scene says and cannot mean, in words for the user.
+///
+/// key   to which the words belong: "body.radius", or a table if the key is missing, or "" for the
+///       scene as a whole
+struct Refused : std::runtime_error {
+  Refused(std::string of, const std::string& words)
+      : std::runtime_error(words), key(std::move(of)) {}
+  std::string key;
+};
 
 }  // namespace vortree
