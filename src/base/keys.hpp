@@ -29,6 +29,9 @@ namespace vortree {
 
 inline constexpr double endless = std::numeric_limits<double>::infinity();
 
+/// Two numbers of one key: a place or a velocity as a scene writes it.
+using Pair = std::array<double, 2>;
+
 /// What the numbers of a key must fulfil; `words` say it to the user, after "flow.nu is -1; ".
 struct Rule {
   double low = -endless;

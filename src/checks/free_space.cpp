@@ -101,7 +101,7 @@ void check_kirchhoff(std::vector<Verdict>& list, const Finished& run) {
   const io::Scene& scene = run.scene;
   if (scene.check.exact != io::ExactAnswer::kirchhoff_ellipse) return;
   const HistoryRows& rows = run.rows;
-  const vortex::InitialSettings& i = *scene.initial;
+  const flow::InitialSettings& i = *scene.initial;
   const exact::KirchhoffEllipse ellipse{i.circulation, i.core, *i.core_across};
   add(list, "rotation_max", scene.check.rotation_max, [&]() -> Reached {
     const Column angle = turned(rows), t = rows.column("t");
@@ -113,7 +113,7 @@ void check_kirchhoff(std::vector<Verdict>& list, const Finished& run) {
 namespace {
 
 exact::VortexPair pair_of(const io::Scene& scene) {
-  const vortex::InitialSettings& i = *scene.initial;
+  const flow::InitialSettings& i = *scene.initial;
   return {i.circulation, i.core, *i.separation, scene.flow.nu};
 }
 

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "exact/theodorsen.hpp"
-#include "io/scene/scales.hpp"
 
 namespace vortree::checks {
 namespace {
@@ -68,7 +67,7 @@ void check_plunge(std::vector<Verdict>& list, const Finished& run) {
   add(list, "theodorsen_max", scene.check.theodorsen_max, [&]() -> Reached {
     if (!periods.any()) return no_period;
     const double half = scales.length / 2;
-    const Vec2 amplitude = scene.plunge->amplitude * io::unit(scene.plunge->direction);
+    const Vec2 amplitude = body::motion_of(scene.plunge, {}).plunge.amplitude;
     const auto plate =
         exact::lift_of_plunge(dot(amplitude, scales.across()) / half, omega * half / scales.speed);
     const auto ours = at_frequency(t, rows.column("cl_impulse"), periods, omega);

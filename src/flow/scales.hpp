@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/vec2.hpp"
+#include "flow/case.hpp"
 
 namespace vortree::flow {
 
@@ -24,5 +25,8 @@ struct Scales {
   /// A force per unit density [L^3/T^2] times this is its coefficient.
   double of_force() const { return 2 / (speed * speed * length); }
 };
+
+/// By the body, stream and motion of a scene.
+[[nodiscard]] Scales scales_of(const Case& of);
 
 }  // namespace vortree::flow

@@ -5,6 +5,7 @@
 
 #include "flow/scales.hpp"
 #include "flow/solver.hpp"
+#include "vortex/settings.hpp"
 #include "vortex/step.hpp"
 
 namespace vortree::vortex {
@@ -37,5 +38,8 @@ struct Setup {
   double crowding = 1;
   bool splits_endlessly = false;
 };
+
+/// A scene as the method takes it.
+Setup setup_of(const VortexCase& scene);
 
 }  // namespace vortree::vortex

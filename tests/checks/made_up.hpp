@@ -8,9 +8,8 @@
 #include <memory>
 
 #include "app/loop/rows.hpp"
-#include "app/methods/methods.hpp"
-#include "app/methods/vortex.hpp"
 #include "app/program.hpp"
+#include "by_vortices.hpp"
 #include "checks/checks.hpp"
 #include "vortex/solver.hpp"
 
@@ -28,8 +27,8 @@ class MadeUpRun {
   MadeUpRun(const std::string& text, const std::vector<std::string>& overrides,
             const Files& files = {})
       : folder_(filled(files)),
-        scene_(io::parse_scene(text, folder_->write("scene.toml", text), overrides)),
-        scales_(app::scales_of(scene_)) {}
+        scene_(io::parse_scene(text, folder_->write("scene.toml", text), by_vortices(), overrides)),
+        scales_(flow::scales_of(scene_)) {}
 
   MadeUpRun& with(const std::string& column, Of value) {
     columns_[column] = std::move(value);
@@ -41,7 +40,7 @@ class MadeUpRun {
 
   /// blobs  at the end; none: those of the start
   std::vector<checks::Verdict> verdicts(int rows, const vortex::Blobs& blobs = {}) const {
-    vortex::Setup setup = app::vortex_setup(scene_, scales_);
+    vortex::Setup setup = vortex::setup_of(case_of(scene_));
     if (blobs.size() > 0) setup.blobs = blobs;
     const vortex::Solver solver(std::move(setup));
     const std::vector<std::string> names = app::Rows(solver, scales_).names();
@@ -71,7 +70,7 @@ class MadeUpRun {
 
   const io::Scene& scene() const { return scene_; }
   const flow::Scales& scales() const { return scales_; }
-  vortex::Blobs blobs() const { return app::vortex_setup(scene_, scales_).blobs; }
+  vortex::Blobs blobs() const { return vortex::setup_of(case_of(scene_)).blobs; }
 
  private:
   static std::unique_ptr<TemporaryFolder> filled(const Files& files) {

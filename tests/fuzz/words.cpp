@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <string>
 
+#include "by_vortices.hpp"
 #include "io/scene/schema.hpp"
 
 using namespace vortree::io;
@@ -24,9 +25,9 @@ void print(const std::vector<vortree::Key>& keys) {
 }  // namespace
 
 int main() {
-  Scene scene;
+  Scene scene = blank_scene(vortree::test::by_vortices());
   print(keys(scene));
-  for (const SceneTable& table : tables(scene)) {
+  for (const vortree::Table& table : tables(scene)) {
     print("[" + std::string(table.name) + "]");
     print(table.keys());
   }

@@ -16,7 +16,7 @@ namespace {
 
 std::string title(const std::filesystem::path& scene) {
   try {
-    return io::load_scene(scene).title;
+    return io::load_scene(scene, methods()).title;
   } catch (const io::InputError& error) {
     return error.what();
   }
@@ -36,13 +36,13 @@ std::string list_cases() {
 }
 
 std::string check(const std::string& scene, const std::vector<std::string>& overrides) {
-  const io::Scene loaded = io::load_scene(find_scene(scene), overrides);
-  for (const std::string& doubt : warnings(loaded, methods())) say("warning: {}", doubt);
+  const io::Scene loaded = io::load_scene(find_scene(scene), methods(), overrides);
+  for (const std::string& doubt : warnings(loaded)) say("warning: {}", doubt);
   return io::resolved(loaded);
 }
 
 std::string keys() {
-  return io::page_of_keys();
+  return io::page_of_keys(methods());
 }
 
 }  // namespace vortree::app

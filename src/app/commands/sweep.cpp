@@ -11,11 +11,11 @@
 #include <optional>
 #include <utility>
 
-#include "app/plot.hpp"
 #include "app/commands/sweep_table.hpp"
 #include "app/folder/older_run.hpp"
 #include "app/folder/output_folder.hpp"
 #include "app/install_paths.hpp"
+#include "app/plot.hpp"
 #include "app/say.hpp"
 #include "io/files.hpp"
 #include "io/input_error.hpp"
@@ -95,8 +95,8 @@ void require_different(const RunOptions& options, const SweepPlan& plan,
   std::map<std::string, Known> scenes;  // by all keys but the accuracy
   std::map<std::string, std::string> folders;
   for (const Member& m : members) {
-    io::Scene scene =
-        io::load_scene(find_scene(options.scene), options_of(options, plan, m).overrides);
+    io::Scene scene = io::load_scene(find_scene(options.scene), methods(),
+                                     options_of(options, plan, m).overrides);
     const Known known{name_of(plan, m), std::exchange(scene.accuracy, std::nullopt)};
     if (const auto [at, fresh] = scenes.emplace(io::resolved(scene), known); !fresh)
       throw io::InputError(fmt::format(

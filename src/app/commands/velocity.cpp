@@ -15,11 +15,11 @@
 #include "base/memory.hpp"
 #include "bench/measures/accuracy.hpp"
 #include "bench/measures/methods.hpp"
-#include "checks/warnings/warnings_of_means.hpp"
 #include "io/files.hpp"
 #include "io/tables/particles.hpp"
 #include "io/while_reading.hpp"
 #include "tree/order/points.hpp"
+#include "vortex/choice/warnings_of_means.hpp"
 
 namespace vortree::app {
 namespace {
@@ -91,7 +91,7 @@ void warn_of_few_terms(const VelocityJob& job, const bench::Account& account) {
   if (!account.order) return;
   const int order = job.options.order;
   const std::string doubt =
-      checks::doubt_of_terms(order, fmt::format("--order {}", order), "--tolerance");
+      vortex::doubt_of_terms(order, fmt::format("--order {}", order), "--tolerance");
   if (!doubt.empty()) say("warning: {}", doubt);
 }
 

@@ -40,26 +40,23 @@ void on_the_way(const std::function<void()>& write) {
   }
 }
 
-/// The first difference that would change the flow itself, or nothing.
-std::string difference(const io::Scene& a, const io::Scene& b) {
-  if (a.method != b.method) return "method";
-  if (a.flow != b.flow) return "[flow]";
-  if (a.body != b.body) return "[body]";
-  if (a.plunge != b.plunge) return "[plunge]";
-  if (a.motion != b.motion) return "[motion]";
-  if (a.diffusion != b.diffusion) return "[diffusion]";
-  if (a.cores != b.cores) return "[cores]";
-  if (a.splitting != b.splitting) return "[splitting]";
-  if (a.merging != b.merging) return "[merging]";
-  if (a.initial != b.initial) return "[initial]";
-  if (a.time.dt != b.time.dt || a.time.scheme != b.time.scheme) return "[time]";
-  if (a.velocity != b.velocity) return "[velocity]";
-  return a.seed != b.seed ? "seed" : "";
+/// What may change on the way: where a run ends, what it writes, and what it is held against. That
+/// an accuracy was asked for does not count beside what was chosen by it.
+bool may_change(std::string_view key) {
+  return key == "title" || key == "accuracy" || key == "time.end" || key.starts_with("output.") ||
+         key.starts_with("check.");
 }
 
-io::Scene stored_scene(const io::RunInfo& info, const fs::path& file, const fs::path& scene) {
+/// The table, or key at the top, of the first difference that would change the flow, or nothing.
+std::string difference(const io::Scene& a, const io::Scene& b) {
+  const std::string name = io::first_difference(a, b, may_change);
+  const std::size_t dot = name.find('.');
+  return dot == std::string::npos ? name : fmt::format("[{}]", name.substr(0, dot));
+}
+
+io::Scene stored_scene(const io::RunInfo& info, const fs::path& file, const io::Scene& now) {
   try {
-    return io::parse_scene(info.resolved, scene);
+    return io::parse_scene(info.resolved, now.origin.path, now.methods);
   } catch (const io::InputError& error) {
     throw io::InputError(
         fmt::format("{}: the scene stored in it is none: {}", file.string(), error.what()));
@@ -110,7 +107,7 @@ io::Frame RunFiles::last_frame() const {
   io::RecoveredFrames found = io::read_last_good(file);
   if (!found.warning.empty()) say_line(found.warning);
   if (!found.last) throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));
-  const io::Scene was = stored_scene(found.info, file, scene_.origin.path);
+  const io::Scene was = stored_scene(found.info, file, scene_);
   if (const std::string where = difference(was, scene_); !where.empty())
     throw io::InputError(
         fmt::format("{}: was run with another {} than {} has now; only time.end, "
@@ -120,8 +117,8 @@ io::Frame RunFiles::last_frame() const {
   return *std::move(found.last);
 }
 
-io::Scene scene_of_frames(const fs::path& frames, const fs::path& scene) {
-  return stored_scene(io::info_of_frames(frames), frames, scene);
+io::Scene scene_of_frames(const fs::path& frames, const io::Scene& now) {
+  return stored_scene(io::info_of_frames(frames), frames, now);
 }
 
 void RunFiles::resume_fields(const io::Frame& frame) {

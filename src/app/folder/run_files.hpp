@@ -64,9 +64,8 @@ class RunFiles {
   std::vector<double> fields_;  ///< times of the pictures so far, but for those that are lost
 };
 
-/// The scene, by its file's name, that a run was run with.
+/// The scene that a run was run with, read as `now` is: by the same name, with the same methods.
 /// throws  io::InputError, with the name of the frames file, if it does not say
-[[nodiscard]] io::Scene scene_of_frames(const std::filesystem::path& frames,
-                                        const std::filesystem::path& scene);
+[[nodiscard]] io::Scene scene_of_frames(const std::filesystem::path& frames, const io::Scene& now);
 
 }  // namespace vortree::app

@@ -33,13 +33,13 @@ namespace fs = std::filesystem;
 /// One run on its way. Everything that the next step depends on goes into a frame.
 class Run {
  public:
-  Run(io::Scene scene, const RunOptions& options, std::span<const Method> among)
+  Run(io::Scene scene, const RunOptions& options)
       : scene_(std::move(scene)),
         folder_(options.out),
         figures_(options.figures),
         timetable_(scene_),
-        scales_(scales_of(scene_)),
-        solver_(method_of(scene_, among).make(scene_, scales_, machine_memory())),
+        scales_(flow::scales_of(scene_)),
+        solver_(scene_.computed_by().begin(scene_, machine_memory())),
         rows_(*solver_, scales_),
         files_(scene_, *solver_, rows_.names(), folder_) {}
 
@@ -212,14 +212,14 @@ RunResult Run::finish() {
 }
 
 /// A run that is resumed keeps the step that was chosen for it, whatever its end is by now.
-io::Scene scene_of(const RunOptions& options) {
+io::Scene scene_of(const RunOptions& options, const flow::Methods& among) {
   const fs::path file = find_scene(options.scene);
-  io::Scene scene = io::load_scene(file, options.overrides);
+  io::Scene scene = io::load_scene(file, among, options.overrides);
   if (!options.resume || !scene.origin.step_chosen) return scene;
-  const io::Scene was = scene_of_frames(options.out / "frames.h5", file);
+  const io::Scene was = scene_of_frames(options.out / "frames.h5", scene);
   std::vector<std::string> overrides = options.overrides;
   overrides.push_back(fmt::format("time.dt={}", was.time.dt));
-  return io::load_scene(file, overrides);
+  return io::load_scene(file, among, overrides);
 }
 
 }  // namespace
@@ -228,13 +228,13 @@ bool RunResult::passed() const {
   return finished && std::ranges::none_of(verdicts, &checks::Verdict::missed);
 }
 
-RunResult run(const RunOptions& options, std::span<const Method> among) {
-  io::Scene scene = scene_of(options);
-  const std::vector<std::string> doubts = warnings(scene, among);
+RunResult run(const RunOptions& options, const flow::Methods& among) {
+  io::Scene scene = scene_of(options, among);
+  const std::vector<std::string> doubts = warnings(scene);
   const OutputFolder folder(options.out);
   if (!options.resume && !options.overwrite) refuse_older_run(options.out);
   for (const std::string& doubt : doubts) say("warning: {}", doubt);
-  Run run(std::move(scene), options, among);
+  Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();
   return run.go();
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -40,6 +39,6 @@ struct RunResult {
 /// among    the methods that a scene can name
 /// throws   io::InputError for wrong input (exit code 2); any other exception is a failed run (exit
 /// code 1)
-RunResult run(const RunOptions& options, std::span<const Method> among = methods());
+RunResult run(const RunOptions& options, const flow::Methods& among = methods());
 
 }  // namespace vortree::app

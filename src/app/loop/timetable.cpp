@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/scene/time.hpp"
+#include "flow/steps.hpp"
 
 namespace vortree::app {
 
 Timetable::Timetable(const io::Scene& scene)
     : dt_(scene.time.dt),
       frames_(scene.output.frames / scene.time.dt),
-      last_(io::last_step(scene.time)) {
-  for (const double t : scene.output.fields) fields_.push_back(io::nearest_step(t, dt_, last_));
+      last_(flow::last_step(scene.time)) {
+  for (const double t : scene.output.fields) fields_.push_back(flow::nearest_step(t, dt_, last_));
 }
 
 bool Timetable::frame_due(long step) const {

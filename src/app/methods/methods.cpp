@@ -2,53 +2,30 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <iterator>
 
-#include "app/methods/vortex.hpp"
 #include "base/free_memory.hpp"
-#include "checks/warnings/cost.hpp"
-#include "checks/warnings/warnings.hpp"
+#include "flow/warnings.hpp"
 #include "io/input_error.hpp"
-#include "io/quote.hpp"
-#include "io/scene/scales.hpp"
-#include "io/suggestion.hpp"
+#include "vortex/method.hpp"
 
 namespace vortree::app {
 
-std::span<const Method> methods() {
-  static const Method all[] = {
-      {std::string(io::vortices), vortex_solver, checks::refuse_beyond, checks::warnings}};
+const flow::Methods& methods() {
+  static const flow::Methods all{flow::AnyMethod(std::make_unique<vortex::VortexMethod>())};
   return all;
 }
 
-const Method& method_of(const io::Scene& scene, std::span<const Method> among) {
-  const auto found = std::ranges::find(among, scene.method, &Method::name);
-  if (found != among.end()) return *found;
-  std::vector<std::string_view> known;
-  for (const Method& one : among) known.push_back(one.name);
-  throw io::InputError(fmt::format("{}: method is {}; known: {}", scene.origin.path.string(),
-                                   io::quote(io::shortened(scene.method, 60)), io::listed(known)));
-}
-
-std::vector<std::string> warnings(const io::Scene& scene, std::span<const Method> among) {
-  const Method& method = method_of(scene, among);
-  if (method.refuse) method.refuse(scene, machine_memory());
-  return method.warnings ? method.warnings(scene) : std::vector<std::string>{};
-}
-
-flow::Scales scales_of(const io::Scene& scene) {
-  flow::Scales scales;
-  scales.body = scene.body.has_value();
-  if (scene.body) scales.length = io::length_of(*scene.body);
-  if (const double speed = io::speed_of(scene); speed > 0) scales.speed = speed;
-  const bool stream = std::hypot(scene.flow.stream[0], scene.flow.stream[1]) > 0;
-  if (stream)
-    scales.along = io::unit(scene.flow.stream);
-  else if (scene.plunge)
-    scales.along = io::unit(scene.plunge->direction);
-  scales.impulsive = stream || (scene.motion && scene.motion->spin != 0);
-  return scales;
+std::vector<std::string> warnings(const io::Scene& scene) {
+  const flow::Method& method = scene.computed_by();
+  try {
+    method.refuse_beyond(scene, static_cast<double>(machine_memory()));
+  } catch (const Refused& refused) {
+    throw io::InputError(fmt::format("{}: {}", scene.origin.path.string(), refused.what()));
+  }
+  std::vector<std::string> list = flow::warnings(scene);
+  std::ranges::move(method.warnings(scene), std::back_inserter(list));
+  return list;
 }
 
 }  // namespace vortree::app

@@ -26,10 +26,10 @@ bool moments(const Scene& s) {
   return s.check.moments_reference.has_value();
 }
 bool at_rest(const Scene& s) {
-  return s.plunge && s.flow.stream == Vec2{0, 0};
+  return s.plunge && s.flow.stream == Pair{0, 0};
 }
 bool in_stream(const Scene& s) {
-  return s.plunge && s.flow.stream != Vec2{0, 0};
+  return s.plunge && s.flow.stream != Pair{0, 0};
 }
 bool field(const Scene& s) {
   return s.check.exact == ExactAnswer::lamb_oseen ||

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <concepts>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -108,18 +109,50 @@ std::string row(std::string_view name, const Key& key) {
 std::string resolved(const Scene& scene) {
   Scene copy = scene;  // keys are places to write to, too
   std::string text = lines(keys(copy));
-  for (const SceneTable& table : tables(copy))
+  for (const Table& table : tables_that_count(copy))
     if (table.present()) text += fmt::format("\n[{}]\n{}", table.name, lines(table.keys()));
   return text;
 }
 
-std::string page_of_keys() {
+namespace {
+
+/// The values of all keys that count, as text, by their dotted names; that a table is there counts
+/// by its name in brackets.
+std::map<std::string, std::string> values(Scene scene) {
+  std::map<std::string, std::string> all;
+  for (const Key& key : keys(scene)) all[std::string(key.name)] = text_of(key).value_or("");
+  for (const Table& table : tables_that_count(scene)) {
+    if (!table.present()) continue;
+    all[fmt::format("[{}]", table.name)] = "there";
+    for (const Key& key : table.keys())
+      all[fmt::format("{}.{}", table.name, key.name)] = text_of(key).value_or("");
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string first_difference(const Scene& a, const Scene& b,
+                             const std::function<bool(std::string_view name)>& left_out) {
+  const auto first = values(a), second = values(b);
+  const auto differs = [&](const auto& one, const auto& other) -> std::string {
+    for (const auto& [name, value] : one) {
+      const auto same = other.find(name);
+      if (!left_out(name) && (same == other.end() || same->second != value)) return name;
+    }
+    return "";
+  };
+  const std::string name = differs(first, second);
+  return name.empty() ? differs(second, first) : name;
+}
+
+std::string page_of_keys(const flow::Methods& methods) {
   std::string page =
       "| key | default | unit | limits or words | what it is |\n"
       "|---|---|---|---|---|\n";
-  Scene blank;
+  Scene blank = blank_scene(methods);
   for (const Key& key : keys(blank)) page += row(key.name, key);
-  for (const SceneTable& table : tables(blank))
+  for (const Table& table : tables(blank))
     for (const Key& key : table.keys())
       page += row(fmt::format("{}.{}", table.name, key.name), key);
   return page;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -10,14 +9,10 @@
 #include <vector>
 
 #include "base/keys.hpp"
-#include "body/settings.hpp"
-#include "flow/settings.hpp"
+#include "flow/method.hpp"
 #include "io/input_error.hpp"
-#include "vortex/settings.hpp"
 
 namespace vortree::io {
-
-using Vec2 = std::array<double, 2>;
 
 enum class ExactAnswer {
   lamb_oseen,
@@ -80,77 +75,48 @@ struct SceneOrigin {
   bool step_chosen = false;
 };
 
-/// The method to which cores, splitting, merging, diffusion and velocity belong.
-inline constexpr std::string_view vortices = "vortex";
-
-/// One run, fully described. Every key of the TOML file is the member of the same name.
-struct Scene {
-  std::string title{};
-  std::int64_t seed = 1;
-  /// What computes the flow, and reads the tables of its own.
-  std::string method{vortices};
-  /// The error aimed at, by which keys that are not written are chosen: see choice.hpp.
-  std::optional<double> accuracy{};
-  flow::FlowSettings flow{};
-  vortex::DiffusionSettings diffusion{};
-  std::optional<body::BodySettings> body{};
-  std::optional<body::PlungeSettings> plunge{};
-  std::optional<body::MotionSettings> motion{};
-  vortex::CoreSettings cores{};
-  vortex::SplittingSettings splitting{};
-  vortex::MergingSettings merging{};
-  std::optional<vortex::InitialSettings> initial{};
-  flow::TimeSettings time{};
-  vortex::VelocitySettings velocity{};
-  flow::OutputSettings output{};
+/// One run, fully described: a flow, the methods that could compute it, one of which does, and what
+/// the result is held against.
+///
+/// method   what computes the flow, and reads the tables of its own
+/// methods  all that a scene may name, each with its tables; those of the others are read, and left
+///          alone
+struct Scene : flow::Case {
+  std::string method{};
+  flow::Methods methods{};
   CheckSettings check{};
   SceneOrigin origin{};
+
+  [[nodiscard]] const flow::Method& computed_by() const;
 };
 
-/// The same run: every key agrees; where the scenes were written does not count.
+/// The same run: every key that counts agrees; where the scenes were written does not.
 bool operator==(const Scene&, const Scene&);
 
 /// Reads and validates a scene.
 ///
 /// path       a TOML file
+/// methods    that it may name; their settings do not count
 /// overrides  `table.key=value` (or `key=value` at top level); value in TOML, bare words are
 /// strings; later ones win.
 ///            A table that the file lacks is created.
 /// throws     InputError, one line: `file:line: ...` or `command line: key=value: ...`; unknown
 /// tables and keys are errors,
 ///            so are NaN and infinity and a reference file that is not there
-[[nodiscard]] Scene load_scene(const std::filesystem::path& path,
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path, const flow::Methods& methods,
                                std::span<const std::string> overrides = {});
 
 /// The same for a text that is already in memory; `path` names it in errors and is the base of its
 /// reference files.
 [[nodiscard]] Scene parse_scene(std::string_view text, const std::filesystem::path& path,
+                                const flow::Methods& methods,
                                 std::span<const std::string> overrides = {});
 
-/// The scene as TOML with every default written out; parse_scene(resolved(s), s.origin.path) == s.
+/// The scene as TOML with every default written out, but for the tables of methods that do not
+/// compute it; parse_scene(resolved(s), s.origin.path, s.methods) == s.
 [[nodiscard]] std::string resolved(const Scene&);
 
 /// Where a reference file of [check] lies: relative to the folder of the scene file.
 [[nodiscard]] std::filesystem::path reference_path(const Scene&, std::string_view written);
-
-/// Whether the tables of the vortex method count.
-[[nodiscard]] bool by_vortices(const Scene&);
-
-/// The size of a body that coefficients and the Reynolds number go by: twice its radius, or its
-/// chord.
-[[nodiscard]] double length_of(const body::BodySettings&);
-
-/// Its perimeter, to 1 % (an ellipse's: 4e-4).
-[[nodiscard]] double perimeter_of(const body::BodySettings&);
-
-/// The radius of NACA 0012's trailing edge, as a share of the chord.
-[[nodiscard]] double edge_of(const body::BodySettings&);
-
-/// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
-/// greatest of the plunge; without both that of a wall that spins; 0 without any.
-[[nodiscard]] double speed_of(const Scene&);
-
-/// The fastest that a body and its stream meet, or a little more.
-[[nodiscard]] double fastest_of(const Scene&);
 
 }  // namespace vortree::io

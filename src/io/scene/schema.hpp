@@ -20,24 +20,25 @@ namespace vortree::io {
 /// Those at the top of a scene, outside its tables.
 [[nodiscard]] std::vector<Key> keys(Scene& scene);
 
-/// A table of a scene.
-///
-/// required  a scene without it is refused
-/// present   whether the scene has it; only an optional one may be lacking
-/// keys      those of the table, which is made, with its defaults, if the scene lacks it
-struct SceneTable {
-  std::string_view name;
-  bool required;
-  std::function<bool()> present;
-  std::function<std::vector<Key>()> keys;
-};
+/// The tables of the flow, of all its methods, and [check], in the order in which they are read.
+[[nodiscard]] std::vector<Table> tables(Scene& scene);
 
-/// All tables, in the order in which they are read and printed.
-[[nodiscard]] std::vector<SceneTable> tables(Scene& scene);
+/// The same, but of the methods only that which computes it.
+[[nodiscard]] std::vector<Table> tables_that_count(Scene& scene);
 
 /// All keys as a table of Markdown: key, default, unit, limits or words, what it is; a row each.
 /// The default is "needed" where a table without the key is refused, "chosen" where what else is
 /// written makes it, "none" where it may be left open.
-[[nodiscard]] std::string page_of_keys();
+[[nodiscard]] std::string page_of_keys(const flow::Methods& methods);
+
+/// A scene of which nothing is written yet.
+[[nodiscard]] Scene blank_scene(const flow::Methods& methods);
+
+/// The first key that counts in which two scenes differ, by its dotted name, or "[table]" if but one
+/// of them has it; or nothing.
+///
+/// left_out  says of a dotted name that it does not matter
+[[nodiscard]] std::string first_difference(
+    const Scene& a, const Scene& b, const std::function<bool(std::string_view name)>& left_out);
 
 }  // namespace vortree::io

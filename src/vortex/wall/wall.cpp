@@ -37,7 +37,7 @@ std::vector<double> sheet_equations(const body::Shape& shape, const std::vector<
 
 }  // namespace
 
-Wall::Wall(std::unique_ptr<body::Shape> shape, int panels) : shape_(std::move(shape)) {
+Wall::Wall(std::shared_ptr<const body::Shape> shape, int panels) : shape_(std::move(shape)) {
   if (panels < 8)
     throw std::invalid_argument(std::to_string(panels) + " panels; a wall needs at least 8");
   length_ = shape_->perimeter() / panels;

@@ -31,7 +31,7 @@ namespace vortree::vortex {
 class Wall {
  public:
   /// throws std::invalid_argument for fewer than 8 panels
-  Wall(std::unique_ptr<body::Shape> shape, int panels);
+  Wall(std::shared_ptr<const body::Shape> shape, int panels);
 
   const body::Shape& shape() const { return *shape_; }
   std::size_t panels() const { return middle_.size(); }
@@ -70,7 +70,7 @@ class Wall {
   std::vector<double> missed_by_samples(const Acting& acting, std::span<const double> gamma,
                                         std::size_t first, std::size_t last) const;
 
-  std::unique_ptr<body::Shape> shape_;
+  std::shared_ptr<const body::Shape> shape_;
   double length_;
   std::vector<Vec2> edge_, middle_, tangent_;
   std::vector<double> sample_x_, sample_y_, middle_x_, middle_y_;

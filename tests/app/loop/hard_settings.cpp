@@ -3,7 +3,8 @@
 
 #include "app/program.hpp"
 #include "checks/scenes.hpp"
-#include "checks/warnings/warnings.hpp"
+#include "app/methods/methods.hpp"
+#include "by_vortices.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
@@ -13,8 +14,12 @@ namespace {
 const std::string cylinder = cylinder_by_accuracy + "[output]\nframes = 0.5\n";
 const std::string free_vortex = vortex_by_hand + "[merging]\ntolerance = 5e-4\n";
 
+std::vector<std::string> doubts_of(const io::Scene& scene) {
+  return app::warnings(scene);
+}
+
 std::vector<std::string> doubted(const std::vector<std::string>& overrides) {
-  return checks::warnings(io::parse_scene(cylinder, "cylinder.toml", overrides));
+  return doubts_of(io::parse_scene(cylinder, "cylinder.toml", by_vortices(), overrides));
 }
 
 bool about(const std::vector<std::string>& doubts, const std::string& key) {
@@ -96,7 +101,7 @@ TEST_CASE("a place so far from the origin that doubles lose the blobs' own is na
 
 TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws, is named") {
   const auto doubted_of = [&](const std::vector<std::string>& overrides) {
-    return checks::warnings(io::parse_scene(free_vortex, "vortex.toml", overrides));
+    return doubts_of(io::parse_scene(free_vortex, "vortex.toml", by_vortices(), overrides));
   };
   CHECK(doubted_of({}).empty());
   CHECK(about(doubted_of({"flow.nu=1"}), "cores.sigma_max = 0.05: one step"));
@@ -148,7 +153,8 @@ chord = 1.0
 end = 1.0
 )";
   const auto at_incidence = [&](const std::string& degrees) {
-    return checks::warnings(io::parse_scene(foil, "foil.toml", {{"body.incidence=" + degrees}}));
+    return doubts_of(
+        io::parse_scene(foil, "foil.toml", by_vortices(), {{"body.incidence=" + degrees}}));
   };
   CHECK(at_incidence("10").empty());
   CHECK(about(at_incidence("90"), "time.dt"));

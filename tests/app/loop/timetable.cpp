@@ -3,7 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "app/program.hpp"
-#include "checks/warnings/warnings_of_times.hpp"
+#include "by_vortices.hpp"
+#include "flow/warnings.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
@@ -31,7 +32,7 @@ const std::vector<std::string> drawn{"output.window=[-1,-1,1,1]", "output.field_
 
 io::Scene scene(std::vector<std::string> overrides = {}, bool pictures = false) {
   if (pictures) overrides.insert(overrides.end(), drawn.begin(), drawn.end());
-  return io::parse_scene(free_vortex, "vortex.toml", overrides);
+  return io::parse_scene(free_vortex, "vortex.toml", by_vortices(), overrides);
 }
 
 std::vector<long> frames_of(const io::Scene& scene) {
@@ -71,15 +72,15 @@ TEST_CASE("a picture is that of the nearest step, and none beyond the end") {
 }
 
 TEST_CASE("times that are met raise no doubt; others are named with what comes instead") {
-  CHECK(checks::warnings_of_times(scene({"output.fields=[0.04,0.2]"}, true)).empty());
-  CHECK(checks::warnings_of_times(scene({"output.frames=1e9"})).empty());
-  CHECK(checks::warnings_of_times(scene({"time.end=0.1"})) ==
+  CHECK(flow::warnings(scene({"output.fields=[0.04,0.2]"}, true)).empty());
+  CHECK(flow::warnings(scene({"output.frames=1e9"})).empty());
+  CHECK(flow::warnings(scene({"time.end=0.1"})) ==
         Words{"time.end = 0.1 is no multiple of time.dt = 0.04: the run ends at t = 0.12; "
               "time.dt = 0.0333333333 meets it"});
-  CHECK(checks::warnings_of_times(scene({"output.frames=0.05"})) ==
+  CHECK(flow::warnings(scene({"output.frames=0.05"})) ==
         Words{"output.frames = 0.05 is no multiple of time.dt = 0.04: each frame is that of the "
               "nearest step, up to 0.02 off"});
-  CHECK(checks::warnings_of_times(scene({"output.fields=[0.05,0.2,0.3,0.11,7]"}, true)) ==
+  CHECK(flow::warnings(scene({"output.fields=[0.05,0.2,0.3,0.11,7]"}, true)) ==
         Words{"output.fields that are no multiples of time.dt = 0.04 are drawn, and named, at the "
               "nearest step: 0.05 at t = 0.04, 0.11 at t = 0.12",
               "output.fields = 0.3, 7: beyond the end, t = 0.2; no picture"});

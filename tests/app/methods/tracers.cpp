@@ -6,18 +6,28 @@
 #include "io/frames/frames.hpp"
 #include "io/tables/fields.hpp"
 #include "io/tables/table.hpp"
+#include "vortex/method.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
 
 namespace {
 
+/// A table of its own.
+struct TracerSettings {
+  int count = 10;
+};
+
+std::vector<Key> keys(TracerSettings& of) {
+  return {key("count", of.count, positive, "", "so many points are carried")};
+}
+
 /// The smallest method there is: points carried by a given velocity, the stream and a shear across
 /// it, (U, V + sin x), by the midpoint rule. All that a method has to bring stands here.
 class Tracers final : public flow::Solver {
  public:
-  explicit Tracers(const io::Scene& scene) : dt_(scene.time.dt), stream_(scene.flow.stream) {
-    for (int k = 0; k < 10; ++k) {
+  Tracers(const flow::Case& of, int count) : dt_(of.time.dt), stream_(of.flow.stream) {
+    for (int k = 0; k < count; ++k) {
       x_.push_back(0.3 * k);
       y_.push_back(0.1 * k * k);
     }
@@ -81,14 +91,30 @@ class Tracers final : public flow::Solver {
   double rise(double x) const { return stream_[1] + std::sin(x); }
 
   double dt_;
-  io::Vec2 stream_;
+  Pair stream_;
   std::vector<double> x_, y_;
   long steps_ = 0;
 };
 
-const app::Method methods[] = {{"tracers", [](const io::Scene& scene, const flow::Scales&, double) {
-                                  return std::make_unique<Tracers>(scene);
-                                }}};
+/// How a scene names it.
+class TracerMethod final : public flow::Method {
+ public:
+  std::unique_ptr<flow::Method> clone() const override {
+    return std::make_unique<TracerMethod>(*this);
+  }
+  std::unique_ptr<flow::Method> blank() const override { return std::make_unique<TracerMethod>(); }
+  std::string_view name() const override { return "tracers"; }
+  std::vector<Table> tables() override { return {table("tracers", settings_)}; }
+  std::unique_ptr<flow::Solver> begin(const flow::Case& of, double) const override {
+    return std::make_unique<Tracers>(of, settings_.count);
+  }
+
+ private:
+  TracerSettings settings_;
+};
+
+const flow::Methods methods{flow::AnyMethod(std::make_unique<TracerMethod>()),
+                            flow::AnyMethod(std::make_unique<vortex::VortexMethod>())};
 
 const std::string scene = R"(
 method = "tracers"
@@ -192,6 +218,29 @@ TEST_CASE("figures are drawn of a run by another method") {
 TEST_CASE("a method that nobody has is refused, with those that there are") {
   const Runs run;
   CHECK_THROWS_WITH(run("none", {"method=lattice"}),
-                    Catch::Matchers::Contains("method is \"lattice\"; known: tracers"));
+                    Catch::Matchers::Contains("method is \"lattice\"; known: tracers, vortex"));
   CHECK_FALSE(fs::exists(run.folder() / "none"));
+}
+
+TEST_CASE("a method reads a table of its own, and leaves those of the others alone") {
+  const Runs run;
+  CHECK(run("few", {"tracers.count=3"}).most_particles == 3);
+  CHECK(run("others", {"cores.sigma_0=0.5"}).most_particles == 10);
+  CHECK_THROWS_WITH(run("less", {"tracers.count=0"}),
+                    Catch::Matchers::Contains("tracers.count is 0; it must be > 0"));
+  CHECK_THROWS_WITH(run("wrong", {"cores.sigma_0=-1"}),
+                    Catch::Matchers::Contains("cores.sigma_0 is -1; it must be > 0"));
+}
+
+TEST_CASE("what a resumed run may not change is told by its table, a method's own too") {
+  const Runs run;
+  run("parts", {"time.end=0.4"});
+  const auto refused = [&](const std::string& word) {
+    return Catch::Matchers::Contains("was run with another " + word + " than");
+  };
+  CHECK_THROWS_WITH(run("parts", {"tracers.count=11"}, true), refused("[tracers]"));
+  CHECK_THROWS_WITH(run("parts", {"flow.stream=[1,0]"}, true), refused("[flow]"));
+  CHECK_THROWS_WITH(run("parts", {"time.dt=0.1"}, true), refused("[time]"));
+  CHECK_THROWS_WITH(run("parts", {"seed=5"}, true), refused("seed"));
+  CHECK(run("parts", {"cores.sigma_0=0.5", "title=Other", "check.blobs_max=11"}, true).finished);
 }

@@ -17,12 +17,12 @@ enum class Colour { red, green, blue };
 
 /// Every key with its dotted name, of a scene that lives as long as the list.
 struct AllKeys {
-  Scene scene;
+  Scene scene = blank_scene(by_vortices());
   std::vector<std::pair<std::string, Key>> list;
 
   AllKeys() {
     for (const Key& key : keys(scene)) list.emplace_back(key.name, key);
-    for (const SceneTable& table : tables(scene))
+    for (const vortree::Table& table : tables(scene))
       for (const Key& key : table.keys())
         list.emplace_back(std::string(table.name) + "." + std::string(key.name), key);
   }
@@ -110,8 +110,8 @@ TEST_CASE("no key and no table stands twice, and no table has the name of a key"
     CAPTURE(name);
     CHECK(names.insert(name).second);
   }
-  Scene scene;
-  for (const SceneTable& table : tables(scene)) {
+  Scene scene = blank_scene(by_vortices());
+  for (const vortree::Table& table : tables(scene)) {
     CAPTURE(table.name);
     CHECK(names.insert(std::string(table.name)).second);
   }
@@ -154,8 +154,8 @@ TEST_CASE("a number past either limit of a key is refused in the words of its ru
 }
 
 TEST_CASE("a table that a scene lacks is made, with its defaults, when its keys are asked for") {
-  Scene scene;
-  for (const SceneTable& table : tables(scene)) {
+  Scene scene = blank_scene(by_vortices());
+  for (const vortree::Table& table : tables(scene)) {
     CAPTURE(table.name);
     const bool lacking = table.name == "body" || table.name == "plunge" || table.name == "motion" ||
                          table.name == "initial";

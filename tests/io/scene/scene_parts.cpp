@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "body/extent.hpp"
 #include "scenes.hpp"
 
 using namespace vortree;
@@ -16,21 +17,21 @@ TEST_CASE("an accuracy chooses what is not written, and only that") {
   const Scene scene = parse("accuracy = 0.01\n" + rest);
   CHECK(scene.flow.nu == Approx(2 * 0.5 / 550));
   CHECK(scene.time.dt == Approx(0.02 * 0.25));
-  CHECK(scene.cores.sigma_max == Approx(4 * std::sqrt(0.01 * scene.flow.nu * 0.25)));
-  CHECK(scene.cores.sigma_0 == Approx(std::sqrt(2 * scene.flow.nu * scene.time.dt)));
-  CHECK(scene.velocity.cores == vortex::PairCores::both);
+  CHECK(own(scene).cores.sigma_max == Approx(4 * std::sqrt(0.01 * scene.flow.nu * 0.25)));
+  CHECK(own(scene).cores.sigma_0 == Approx(std::sqrt(2 * scene.flow.nu * scene.time.dt)));
+  CHECK(own(scene).velocity.cores == vortex::PairCores::both);
   CHECK(parse(resolved(scene)) == scene);
   const Scene finer = parse("accuracy = 0.0025\n" + rest);
-  CHECK(finer.cores.sigma_max == Approx(scene.cores.sigma_max / 2));
+  CHECK(own(finer).cores.sigma_max == Approx(own(scene).cores.sigma_max / 2));
   CHECK(finer.time.dt < scene.time.dt);
-  CHECK(finer.merging.tolerance == Approx(scene.merging.tolerance / 2));
-  CHECK(finer.velocity.tolerance < scene.velocity.tolerance);
+  CHECK(own(finer).merging.tolerance == Approx(own(scene).merging.tolerance / 2));
+  CHECK(own(finer).velocity.tolerance < own(scene).velocity.tolerance);
   CHECK(finer.body->panels > scene.body->panels);
-  const Scene own = parse("accuracy = 0.01\n" + rest, {"time.dt=0.001", "body.panels=99"});
-  CHECK(own.time.dt == 0.001);
-  CHECK(own.body->panels == 99);
-  CHECK(own.cores.sigma_max == Approx(std::sqrt(8 * scene.flow.nu * 0.001)));
-  CHECK(parse(plain, {"accuracy=0.1"}).cores == parse(plain).cores);
+  const Scene written = parse("accuracy = 0.01\n" + rest, {"time.dt=0.001", "body.panels=99"});
+  CHECK(written.time.dt == 0.001);
+  CHECK(written.body->panels == 99);
+  CHECK(own(written).cores.sigma_max == Approx(std::sqrt(8 * scene.flow.nu * 0.001)));
+  CHECK(own(parse(plain, {"accuracy=0.1"})).cores == own(parse(plain)).cores);
 }
 
 TEST_CASE("a Reynolds number needs a body and a stream, and no other viscosity beside it") {
@@ -56,8 +57,8 @@ TEST_CASE("a body has the keys of its shape, and no others") {
   CHECK(body("shape = \"naca0012\"\nchord = 1\nedge = 0.1") ==
         "cases/ring.toml:20: body.edge is 0.1; it must lie in 1e-4 .. 0.02");
   const Scene foil = parse(plain + "[body]\nshape = \"naca0012\"\nchord = 3");
-  CHECK(length_of(*foil.body) == 3);
-  CHECK(edge_of(*foil.body) == 0.005);
+  CHECK(body::length_of(*foil.body) == 3);
+  CHECK(body::edge_of(*foil.body) == 0.005);
   CHECK(parse(resolved(foil)) == foil);
 }
 
@@ -74,12 +75,12 @@ TEST_CASE("a plunge needs a body and a direction; its speed serves where there i
         "cases/ring.toml:20: plunge.amplitude is -1; it must be > 0");
   const double fastest = 2 * 3.14159265358979 * 0.2 * 3;
   const Scene rest = parse(with("nu = 1e-3", "reynolds = 10") + body + plunge);
-  CHECK(speed_of(rest) == Approx(fastest));
+  CHECK(flow::speed_of(rest) == Approx(fastest));
   CHECK(rest.flow.nu == Approx(fastest / 10));
   CHECK(parse(resolved(rest)) == rest);
   const Scene stream = parse(with("nu = 1e-3", "reynolds = 10\nstream = [3, 4]") + body + plunge);
-  CHECK(speed_of(stream) == Approx(5));
-  CHECK(fastest_of(stream) == Approx(std::hypot(5, fastest)));
+  CHECK(flow::speed_of(stream) == Approx(5));
+  CHECK(flow::fastest_of(stream) == Approx(std::hypot(5, fastest)));
   CHECK(stream.flow.nu == Approx(0.5));
 }
 
@@ -109,10 +110,10 @@ TEST_CASE("a vortex has the keys of its kind, and no others") {
 TEST_CASE("[motion] is that of a circle, and its speed is the wall's") {
   const std::string spins = "[motion]\nspin = -4\n", circle = "[body]\nradius = 0.25\n";
   const Scene scene = parse(plain + circle + spins);
-  CHECK(speed_of(scene) == 1);
-  CHECK(fastest_of(scene) == 1);
-  CHECK(speed_of(parse(plain + circle + spins, {"flow.stream=[3,0]"})) == 3);
-  CHECK(fastest_of(parse(plain + circle + spins, {"flow.stream=[3,0]"})) == 4);
+  CHECK(flow::speed_of(scene) == 1);
+  CHECK(flow::fastest_of(scene) == 1);
+  CHECK(flow::speed_of(parse(plain + circle + spins, {"flow.stream=[3,0]"})) == 3);
+  CHECK(flow::fastest_of(parse(plain + circle + spins, {"flow.stream=[3,0]"})) == 4);
   CHECK_THAT(refused(plain + spins), Contains("there is no [body]"));
   CHECK_THAT(refused(plain + "[body]\nshape = \"ellipse\"\nradius = 1\nacross = 0.5\n" + spins),
              Contains("only a circle can turn in its place, body.shape is \"ellipse\""));

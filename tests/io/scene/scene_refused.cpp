@@ -147,7 +147,7 @@ TEST_CASE("a wrong override is refused as it was typed") {
 TEST_CASE("what is no scene at all is refused") {
   const Sandbox box;
   const auto loaded = [](const std::filesystem::path& path) {
-    return refusal([&] { (void)load_scene(path); });
+    return refusal([&] { (void)load_scene(path, by_vortices()); });
   };
   const auto at = [&](std::string_view name) { return (box / name).string(); };
   CHECK(loaded(box / "none.toml") == at("none.toml") + ": no such file");
@@ -169,11 +169,11 @@ TEST_CASE("a reference file is looked for beside the scene, and must be there") 
   const auto path =
       box.write("scene.toml", plain + "[check]\ndrag_reference = \"reference/drag.csv\"\n");
   const std::string file = (box / "reference/drag.csv").string();
-  CHECK(refusal([&] { (void)load_scene(path); }) ==
+  CHECK(refusal([&] { (void)load_scene(path, by_vortices()); }) ==
         path.string() + ":18: check.drag_reference is \"reference/drag.csv\"; there is no file " +
             file);
   box.write("reference/drag.csv", "T,C_D\n");
-  const Scene scene = load_scene(path);
+  const Scene scene = load_scene(path, by_vortices());
   CHECK(reference_path(scene, *scene.check.drag_reference) == file);
 }
 

@@ -1,4 +1,4 @@
-#include "io/scene/sense.hpp"
+#include "body/extent.hpp"
 #include "scenes.hpp"
 
 using namespace vortree;
@@ -75,11 +75,11 @@ TEST_CASE("merging.box holds the body and the initial vorticity, or is refused")
 TEST_CASE("a turned ellipse and a foil fill what their outlines reach") {
   const body::BodySettings ellipse{
       .shape = body::ShapeKind::ellipse, .radius = 0.5, .across = 0.1, .incidence = 90};
-  CHECK(half_extent(ellipse)[0] == Approx(0.1));
-  CHECK(half_extent(ellipse)[1] == Approx(0.5));
+  CHECK(body::half_extent(ellipse)[0] == Approx(0.1));
+  CHECK(body::half_extent(ellipse)[1] == Approx(0.5));
   const body::BodySettings foil{.shape = body::ShapeKind::naca0012, .chord = 2};
-  CHECK(half_extent(foil)[0] == Approx(1));
-  CHECK(half_extent(foil)[1] > 0.06 * 2);
+  CHECK(body::half_extent(foil)[0] == Approx(1));
+  CHECK(body::half_extent(foil)[1] > 0.06 * 2);
 }
 
 TEST_CASE("cores wider than half the body, and steps that turn the flow around, are refused") {
@@ -114,7 +114,7 @@ TEST_CASE("panels that step over a tip are refused, and chosen so that they do n
 
 TEST_CASE("at low Reynolds numbers cores stay as small against the body as at 20") {
   const auto chosen = [](const std::string& reynolds, const std::string& accuracy) {
-    return parse(cylinder, {"flow.reynolds=" + reynolds, "accuracy=" + accuracy}).cores;
+    return own(parse(cylinder, {"flow.reynolds=" + reynolds, "accuracy=" + accuracy})).cores;
   };
   const double fitted = std::sqrt(1.02);  // steps are shortened by so much to meet the end
   for (const char* accuracy : {"0.05", "0.01", "0.003"})

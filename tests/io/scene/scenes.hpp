@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "io/scene/scene.hpp"
+#include "by_vortices.hpp"
 #include "io/sandbox.hpp"
+#include "io/scene/scene.hpp"
 
 namespace vortree::test {
 
@@ -86,7 +87,7 @@ inline std::string with(const std::string& from, const std::string& to) {
 }
 
 inline io::Scene parse(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  return io::parse_scene(text, "cases/ring.toml", overrides);
+  return io::parse_scene(text, "cases/ring.toml", by_vortices(), overrides);
 }
 
 // Why it is no scene.

@@ -4,13 +4,13 @@
 #include <string_view>
 #include <vector>
 
-#include "io/scene/scene.hpp"
+#include "vortex/settings.hpp"
 
-namespace vortree::checks {
+namespace vortree::vortex {
 
 /// Doubts (warnings.hpp) about the means of a scene, whatever flow it has: splitting, merging,
 /// other diffusion, sums of velocities; and about what it asks to be written.
-std::vector<std::string> warnings_of_means(const io::Scene& scene);
+std::vector<std::string> warnings_of_means(const VortexCase& scene);
 
 /// What so few terms of a series err by, whatever tolerance is asked for; nothing for enough of
 /// them, and for 0, which chooses them.
@@ -19,4 +19,4 @@ std::vector<std::string> warnings_of_means(const io::Scene& scene);
 /// tolerance  what the tolerance is called there
 std::string doubt_of_terms(int order, std::string_view given, std::string_view tolerance);
 
-}  // namespace vortree::checks
+}  // namespace vortree::vortex

@@ -1,4 +1,4 @@
-#include "checks/warnings/warnings_of_box.hpp"
+#include "vortex/choice/warnings_of_box.hpp"
 
 #include <fmt/format.h>
 
@@ -6,17 +6,18 @@
 #include <array>
 #include <cmath>
 
-#include "io/scene/scales.hpp"
-#include "io/scene/sense.hpp"
+#include "body/extent.hpp"
+#include "flow/initial/widths.hpp"
+#include "vortex/choice/scales.hpp"
 
-namespace vortree::checks {
+namespace vortree::vortex {
 namespace {
 
 /// How far from the body, on a side of this outward normal, blobs must stay for the drag to keep to
 /// 1 % (with circles at Re = 20, 100 and 550): all around while the layer grows and separates,
 /// downstream as far as the wake has come, up to eight lengths, hardly upstream.
-double far_enough(const io::Scene& scene, const io::Vec2& normal) {
-  const double size = io::length_of(*scene.body), layer = io::boundary_layer(scene),
+double far_enough(const VortexCase& scene, const Pair& normal) {
+  const double size = body::length_of(*scene.body), layer = boundary_layer(scene),
                end = scene.time.end, speed = std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
   const double spread = 4 * std::sqrt(scene.flow.nu * end);
   const double aside = std::min(std::max(7 * layer, 0.5 * size), spread),
@@ -30,10 +31,10 @@ double far_enough(const io::Scene& scene, const io::Vec2& normal) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of_box(const io::Scene& scene) {
-  if (!scene.merging.box || !scene.body || io::fastest_of(scene) == 0) return {};
-  constexpr std::array<io::Vec2, 4> normals{{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
-  const io::Vec2 half = io::half_extent(*scene.body);
+std::vector<std::string> warnings_of_box(const VortexCase& scene) {
+  if (!scene.merging.box || !scene.body || flow::fastest_of(scene) == 0) return {};
+  constexpr std::array<Pair, 4> normals{{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
+  const Pair half = body::half_extent(*scene.body);
   const std::array<double, 4>& box = *scene.merging.box;
   std::array<double, 4> right = box;
   for (int side = 0; side < 4; ++side) {
@@ -50,4 +51,4 @@ std::vector<std::string> warnings_of_box(const io::Scene& scene) {
       box[0], box[1], box[2], box[3], right[0], right[1], right[2], right[3])};
 }
 
-}  // namespace vortree::checks
+}  // namespace vortree::vortex

@@ -1,36 +1,37 @@
-#include "checks/warnings/warnings_of_means.hpp"
+#include "vortex/choice/warnings_of_means.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "io/scene/scales.hpp"
-#include "io/scene/sense.hpp"
+#include "body/extent.hpp"
+#include "flow/initial/widths.hpp"
+#include "vortex/choice/scales.hpp"
 
-namespace vortree::checks {
+namespace vortree::vortex {
 namespace {
 
 using List = std::vector<std::string>;
 
 /// What becomes of blobs that do not merge.
-std::string multiplies(const io::Scene& scene) {
+std::string multiplies(const VortexCase& scene) {
   return fmt::format("blobs split into {} for each {:.2g} of time", scene.splitting.children,
-                     1 / io::generations(scene, 1));
+                     1 / generations(scene, 1));
 }
 
 /// Beside a body the sheet of the start splits in every part of the first step. Children of width w
 /// fill w^2/(cap sigma_max^2) of the room that mergers have, and panels of more than 2.4 sigma_0
 /// leave more to split: the product of the share and sqrt(panel/(2.4 sigma_0)) was 0.4 in usual
 /// flows, up to 0.65 all starts settled, from 0.69 on some did not.
-double crowding_at_start(const io::Scene& scene) {
-  const double child = io::width_of_endless_splits(scene), widest = scene.cores.sigma_max,
-               panel = io::perimeter_of(*scene.body) / scene.body->panels;
+double crowding_at_start(const VortexCase& scene) {
+  const double child = width_of_endless_splits(scene), widest = scene.cores.sigma_max,
+               panel = body::perimeter_of(*scene.body) / scene.body->panels;
   return child * child / (scene.merging.cap * widest * widest) *
          std::sqrt(panel / (2.4 * scene.cores.sigma_0));
 }
 
-void doubt_start(List& list, const io::Scene& scene) {
+void doubt_start(List& list, const VortexCase& scene) {
   constexpr double risky = 0.66, good = 0.5;
   const double crowding = crowding_at_start(scene), widest = scene.cores.sigma_max;
   if (crowding < risky) return;
@@ -41,17 +42,17 @@ void doubt_start(List& list, const io::Scene& scene) {
       "cores.sigma_max = {:.3g}: a step of time.dt = {:.3g} leaves children of {:.3g}, hardly less "
       "than the {:.3g} that mergers may leave: blobs may multiply from the start until the run "
       "ends; {:.2g}{} is right",
-      widest, scene.time.dt, io::width_of_endless_splits(scene),
-      std::sqrt(scene.merging.cap) * widest, widest * std::sqrt(crowding / good),
+      widest, scene.time.dt, width_of_endless_splits(scene), std::sqrt(scene.merging.cap) * widest,
+      widest * std::sqrt(crowding / good),
       narrow < 0.65 ? "" : fmt::format(", or splitting.alpha = {:.2g},", narrow)));
 }
 
-void doubt_splitting(List& list, const io::Scene& scene) {
+void doubt_splitting(List& list, const VortexCase& scene) {
   const double nu = scene.flow.nu, dt = scene.time.dt, alpha = scene.splitting.alpha;
-  const double child = io::width_of_endless_splits(scene), widest = scene.cores.sigma_max;
-  const bool past_body = scene.body && io::fastest_of(scene) > 0;
+  const double child = width_of_endless_splits(scene), widest = scene.cores.sigma_max;
+  const bool past_body = scene.body && flow::fastest_of(scene) > 0;
   const double room = past_body ? 0.8 : 1;  // 0.82 crowded at a body's start
-  if (io::splits_endlessly(scene))
+  if (splits_endlessly(scene))
     list.push_back(fmt::format(
         "cores.sigma_max = {:.3g}: one step of time.dt = {:.3g} widens a core so much that its "
         "children, {:.3g}, are too wide to merge: blobs will multiply until the run ends; {:.2g} "
@@ -74,7 +75,7 @@ void doubt_splitting(List& list, const io::Scene& scene) {
 
 /// speed: that of the flow where it matters to a merger; right: the tolerance that goes with an
 /// accuracy of 0.01.
-void doubt_merging(List& list, const io::Scene& scene, double speed, double right) {
+void doubt_merging(List& list, const VortexCase& scene, double speed, double right) {
   const double tolerance = scene.merging.tolerance;
   if (tolerance == 0)
     list.push_back(fmt::format("merging.tolerance = 0: nothing merges; {}; {:.2g} keeps them few",
@@ -84,7 +85,7 @@ void doubt_merging(List& list, const io::Scene& scene, double speed, double righ
         "merging.tolerance = {:.3g}: a merger may change velocities by more than the flow's own "
         "{:.2g}; {:.2g} is right",
         tolerance, speed, right));
-  else if (const double more = io::crowding(scene); more > 3)
+  else if (const double more = crowding(scene); more > 3)
     list.push_back(fmt::format(
         "merging.tolerance = {:.3g}: hardly anything merges; some {:.2g} times as many blobs as "
         "with {:.2g}, which goes with cores.sigma_max = {:.3g}",
@@ -100,27 +101,27 @@ void doubt_merging(List& list, const io::Scene& scene, double speed, double righ
         scene.merging.reach));
 }
 
-void doubt_spreading(List& list, const io::Scene& scene) {
-  if (!io::spreads_cores(scene)) return;
+void doubt_spreading(List& list, const VortexCase& scene) {
+  if (!spreads_cores(scene)) return;
   doubt_splitting(list, scene);
-  if (scene.body && io::fastest_of(scene) > 0) {
-    const double speed = io::fastest_of(scene);
+  if (scene.body && flow::fastest_of(scene) > 0) {
+    const double speed = flow::fastest_of(scene);
     doubt_merging(list, scene, 0.5 * speed, 0.04 * speed);
   } else if (scene.initial) {
-    const vortex::InitialSettings& i = *scene.initial;
-    const double swirl = io::mean_vorticity(i) * io::least_width(i) / 2;
+    const flow::InitialSettings& i = *scene.initial;
+    const double swirl = flow::mean_vorticity(i) * flow::least_width(i) / 2;
     doubt_merging(list, scene, 0.1 * swirl, 4e-4 * swirl);
   }
 }
 
-void doubt_other_diffusion(List& list, const io::Scene& scene) {
+void doubt_other_diffusion(List& list, const VortexCase& scene) {
   const double step = std::sqrt(4 * scene.flow.nu * scene.time.dt), core = scene.cores.sigma_0;
-  if (scene.diffusion.kind == vortex::Diffusion::random_walk && step > core)
+  if (scene.diffusion.kind == Diffusion::random_walk && step > core)
     list.push_back(fmt::format(
         "time.dt = {:.3g}: blobs walk {:.2g} a step, farther than their cores, {:.2g}; {:.2g} is "
         "right",
         scene.time.dt, step, core, 0.25 * core * core / (4 * scene.flow.nu)));
-  if (scene.diffusion.kind == vortex::Diffusion::particle_exchange && scene.initial &&
+  if (scene.diffusion.kind == Diffusion::particle_exchange && scene.initial &&
       scene.initial->spacing > 1)
     list.push_back(fmt::format(
         "initial.spacing = {:.2g}: blobs farther apart than their cores miss neighbors to exchange "
@@ -128,7 +129,7 @@ void doubt_other_diffusion(List& list, const io::Scene& scene) {
         scene.initial->spacing));
 }
 
-void doubt_sums(List& list, const vortex::VelocitySettings& velocity) {
+void doubt_sums(List& list, const VelocitySettings& velocity) {
   if (velocity.method == fmm::Method::direct) return;
   const std::string few = doubt_of_terms(
       velocity.order, fmt::format("velocity.order = {}", velocity.order), "velocity.tolerance");
@@ -141,43 +142,6 @@ void doubt_sums(List& list, const vortex::VelocitySettings& velocity) {
                     velocity.tolerance));
 }
 
-/// The rectangle that body and initial vorticity fill, along the way that the stream takes them.
-std::array<double, 4> place_of_flow(const io::Scene& scene) {
-  std::array<double, 4> all{INFINITY, INFINITY, -INFINITY, -INFINITY};
-  const auto add = [&](const io::Vec2& centre, const io::Vec2& half) {
-    for (int axis : {0, 1}) {
-      all[axis] = std::min(all[axis], centre[axis] - half[axis]);
-      all[2 + axis] = std::max(all[2 + axis], centre[axis] + half[axis]);
-    }
-  };
-  const auto add_moving = [&](const io::Vec2& centre, const io::Vec2& half) {
-    add(centre, half);
-    add({centre[0] + scene.time.end * scene.flow.stream[0],
-         centre[1] + scene.time.end * scene.flow.stream[1]},
-        half);
-  };
-  if (scene.body) add_moving(scene.body->centre, io::half_extent(*scene.body));
-  if (scene.initial) add_moving(scene.initial->centre, io::half_extent(*scene.initial));
-  return all;
-}
-
-void doubt_output(List& list, const io::Scene& scene) {
-  const flow::OutputSettings& output = scene.output;
-  if (output.fields.empty()) return;
-  const auto [x0, y0, x1, y1] = *output.window;
-  const auto flow = place_of_flow(scene);
-  if (x1 < flow[0] || flow[2] < x0 || y1 < flow[1] || flow[3] < y0)
-    list.push_back(fmt::format(
-        "output.window = [{:.4g}, {:.4g}, {:.4g}, {:.4g}]: the flow passes through [{:.4g}, "
-        "{:.4g}, {:.4g}, {:.4g}]; pictures will show nothing of it",
-        x0, y0, x1, y1, flow[0], flow[1], flow[2], flow[3]));
-  if (*output.field_spacing > std::min(x1 - x0, y1 - y0) / 8)
-    list.push_back(
-        fmt::format("output.field_spacing = {:.3g}: pictures of {:.3g} x {:.3g} will "
-                    "have hardly a point across; {:.2g} makes 200",
-                    *output.field_spacing, x1 - x0, y1 - y0, (x1 - x0) / 200));
-}
-
 }  // namespace
 
 std::string doubt_of_terms(int order, std::string_view given, std::string_view tolerance) {
@@ -187,13 +151,12 @@ std::string doubt_of_terms(int order, std::string_view given, std::string_view t
                      0.1 * std::pow(0.5, order), tolerance);
 }
 
-List warnings_of_means(const io::Scene& scene) {
+List warnings_of_means(const VortexCase& scene) {
   List list;
   doubt_spreading(list, scene);
   doubt_other_diffusion(list, scene);
   doubt_sums(list, scene.velocity);
-  doubt_output(list, scene);
   return list;
 }
 
-}  // namespace vortree::checks
+}  // namespace vortree::vortex

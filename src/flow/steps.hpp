@@ -1,9 +1,8 @@
 #pragma once
 
-#include "io/scene/document.hpp"
-#include "io/scene/scene.hpp"
+#include "flow/case.hpp"
 
-namespace vortree::io {
+namespace vortree::flow {
 
 /// More steps are refused: a report of a billion rows fills a disk before it ends, and from 1e16 on
 /// a step is lost in the rounding of the time.
@@ -17,7 +16,7 @@ inline constexpr double moment_slack = 1e-6;
 [[nodiscard]] bool met(double t, double dt);
 
 /// The last step of a run, 1 or more: the one nearest to time.end.
-[[nodiscard]] long last_step(const flow::TimeSettings& time);
+[[nodiscard]] long last_step(const TimeSettings& time);
 
 /// The moment next to t, as a step; one behind the last if it is later.
 [[nodiscard]] long nearest_step(double t, double dt, long last);
@@ -25,12 +24,12 @@ inline constexpr double moment_slack = 1e-6;
 /// The step for a scene that leaves it open, dt at most: the end is met, and of as many steps as
 /// that needs, or up to a fiftieth more, those are taken that meet most of the times of pictures
 /// and the interval of frames. A step that meets the end as it is stays, unless it can meet more.
-[[nodiscard]] double fitted_step(const Scene& scene, double dt);
+[[nodiscard]] double fitted_step(const Case& of, double dt);
 
 /// The interval of frames that a scene leaves open: end/14, or dt, in whole steps.
-[[nodiscard]] double usual_frames(const flow::TimeSettings& time);
+[[nodiscard]] double usual_frames(const TimeSettings& time);
 
-/// throws  InputError if a step is longer than the run, or too short to be counted
-void check_time(const Document& document, const flow::TimeSettings& time);
+/// throws  Refused if a step is longer than the run, or too short to be counted
+void refuse_uncountable(const TimeSettings& time);
 
-}  // namespace vortree::io
+}  // namespace vortree::flow

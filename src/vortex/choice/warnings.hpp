@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "io/scene/scene.hpp"
+#include "vortex/settings.hpp"
 
-namespace vortree::checks {
+namespace vortree::vortex {
 
 /// What will go wrong with a scene that is valid but asks for too much: a sentence for each
 /// setting, with its value, what it will do to the result, and the value that would be right.
@@ -27,6 +27,6 @@ namespace vortree::checks {
 /// Anywhere: children wider than mergers may be, mergers that may do anything or nothing, sums of
 /// few terms (warnings_of_means.hpp); pictures and frames of nothing; what the run will cost
 /// (cost.hpp).
-std::vector<std::string> warnings(const io::Scene& scene);
+std::vector<std::string> warnings(const VortexCase& scene);
 
-}  // namespace vortree::checks
+}  // namespace vortree::vortex

@@ -1,8 +1,9 @@
 #include <cmath>
 
-#include "io/scene/time.hpp"
+#include "flow/steps.hpp"
 #include "scenes.hpp"
 
+using namespace vortree::flow;
 using namespace vortree::io;
 using namespace vortree::test;
 using Catch::Matchers::EndsWith;

@@ -1,13 +1,8 @@
 #pragma once
 
-#include "base/vec2.hpp"
-#include "io/scene/scene.hpp"
+#include "vortex/settings.hpp"
 
-namespace vortree::io {
-
-/// The smallest radius of a body's curvature: across^2/radius at the tips of an ellipse, the
-/// trailing edge of a foil.
-[[nodiscard]] double tip_radius(const body::BodySettings& body);
+namespace vortree::vortex {
 
 /// Panels so many radii of a tip long have the sheet of a stream around it right to 5e-4; of 1.5,
 /// to 1 %, of 3, to 10 %; of 10 and more, hardly its sign (measured on ellipses of 5 : 1 to 50 : 1
@@ -15,43 +10,33 @@ namespace vortree::io {
 inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 12;
 
 /// sqrt(nu D/U) of the fastest that a body and its stream meet; 0 without viscosity or motion.
-[[nodiscard]] double boundary_layer(const Scene& scene);
-
-/// Half widths of the initial vortex, or of each of two: across it, and the lesser of both.
-[[nodiscard]] double across(const vortex::InitialSettings& initial);
-[[nodiscard]] double least_width(const vortex::InitialSettings& initial);
+[[nodiscard]] double boundary_layer(const VortexCase& scene);
 
 /// Blobs widen, and are split: there is viscosity, and it acts by core spreading.
-[[nodiscard]] bool spreads_cores(const Scene& scene);
+[[nodiscard]] bool spreads_cores(const VortexCase& scene);
 
 /// How many times as many blobs merging.tolerance leaves as the one that goes with the cores (past
 /// a body 0.1 U sigma_max/layer, in a free vortex of half width w 0.014 vorticity sigma_max^2/w):
 /// as 1/sqrt(tolerance), 1 to 1000; 1 for 0, with which nothing merges. Tolerances of 1/10, 1/100
 /// and 1/1000 left 3.6, 10 and 31 times as many in a free vortex.
-[[nodiscard]] double crowding(const Scene& scene);
-
-/// Mean vorticity of the initial vortex, or of each of two, without its sign.
-[[nodiscard]] double mean_vorticity(const vortex::InitialSettings& initial);
+[[nodiscard]] double crowding(const VortexCase& scene);
 
 /// By how much vorticity turns in a step [rad]: 2 U dt/layer at the wall, half its vorticity times
 /// dt in a free vortex.
-[[nodiscard]] double turn_at_wall(const Scene& scene);
-[[nodiscard]] double turn_of_vortex(const Scene& scene);
+[[nodiscard]] double turn_at_wall(const VortexCase& scene);
+[[nodiscard]] double turn_of_vortex(const VortexCase& scene);
 
 /// The same at the tips of an ellipse or the edge of a foil, around which a flow across it turns
 /// with U sqrt(a/r)/r, a half its length, r the radius there or, if wider, a released core. Up to
 /// 13 rad a foil's blobs stayed few; from 20 on they multiplied there.
-[[nodiscard]] double turn_at_tip(const Scene& scene);
-
-/// The direction of a vector of the scene, which is not 0.
-[[nodiscard]] ::vortree::Vec2 unit(const Vec2& a);
+[[nodiscard]] double turn_at_tip(const VortexCase& scene);
 
 /// The widths of what splits every step [m]: alpha^2 (w^2 + 4 nu dt) = w^2. If the children are too
 /// wide to merge, cap sigma_max^2 < w^2, blobs multiply.
-[[nodiscard]] double width_of_endless_splits(const Scene& scene);
-[[nodiscard]] bool splits_endlessly(const Scene& scene);
+[[nodiscard]] double width_of_endless_splits(const VortexCase& scene);
+[[nodiscard]] bool splits_endlessly(const VortexCase& scene);
 
 /// How many times in a row a blob splits in such a time, if nothing merges.
-[[nodiscard]] double generations(const Scene& scene, double time);
+[[nodiscard]] double generations(const VortexCase& scene, double time);
 
-}  // namespace vortree::io
+}  // namespace vortree::vortex

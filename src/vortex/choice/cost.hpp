@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "io/scene/scene.hpp"
+#include "vortex/settings.hpp"
 
-namespace vortree::checks {
+namespace vortree::vortex {
 
 /// What a run will ask of the machine, before it runs: from the area that vorticity will fill, in
 /// cores of sigma_max, and from what a blob and a panel were measured to take.
@@ -22,16 +22,16 @@ namespace vortree::checks {
 struct Cost {
   double steps = 0, blobs = 0, wall_bytes = 0, bytes = 0, setup = 0, seconds = 0;
 };
-Cost cost_of(const io::Scene& scene);
+Cost cost_of(const VortexCase& scene);
 
 /// Blobs that so many bytes hold.
 std::size_t blobs_in(double bytes);
 
 /// A sentence for each cost that somebody may not have meant: more than an hour, more than half the
 /// memory, a wall that takes minutes.
-std::vector<std::string> costly(const io::Scene& scene, double memory);
+std::vector<std::string> costly(const VortexCase& scene, double memory);
 
-/// throws  InputError, with the numbers, for a scene that needs more memory than there is
-void refuse_beyond(const io::Scene& scene, double memory);
+/// throws  Refused, with the numbers, for a scene that needs more memory than there is
+void refuse_beyond(const VortexCase& scene, double memory);
 
-}  // namespace vortree::checks
+}  // namespace vortree::vortex

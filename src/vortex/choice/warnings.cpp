@@ -1,4 +1,4 @@
-#include "checks/warnings/warnings.hpp"
+#include "vortex/choice/warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -7,21 +7,21 @@
 #include <numbers>
 
 #include "base/free_memory.hpp"
-#include "checks/warnings/cost.hpp"
-#include "checks/warnings/warnings_of_box.hpp"
-#include "checks/warnings/warnings_of_means.hpp"
-#include "checks/warnings/warnings_of_times.hpp"
-#include "io/scene/scales.hpp"
-#include "io/scene/sense.hpp"
+#include "body/extent.hpp"
+#include "flow/initial/widths.hpp"
+#include "vortex/choice/cost.hpp"
+#include "vortex/choice/scales.hpp"
+#include "vortex/choice/warnings_of_box.hpp"
+#include "vortex/choice/warnings_of_means.hpp"
 
-namespace vortree::checks {
+namespace vortree::vortex {
 namespace {
 
 using List = std::vector<std::string>;
 
-void doubt_reynolds(List& list, const io::Scene& scene) {
+void doubt_reynolds(List& list, const VortexCase& scene) {
   constexpr double least = 20, most = 10'000;
-  const double reynolds = io::fastest_of(scene) * io::length_of(*scene.body) / scene.flow.nu;
+  const double reynolds = flow::fastest_of(scene) * body::length_of(*scene.body) / scene.flow.nu;
   if (reynolds < 0.999 * least || reynolds > 2 * most)
     list.push_back(fmt::format(
         "flow: the Reynolds number is {:.3g}; results are held against others from {} to {}{}",
@@ -30,8 +30,8 @@ void doubt_reynolds(List& list, const io::Scene& scene) {
                          : "; above, flows of this kind are turbulent and not plane"));
 }
 
-void doubt_cores(List& list, const io::Scene& scene) {
-  const double layer = io::boundary_layer(scene), widest = scene.cores.sigma_max;
+void doubt_cores(List& list, const VortexCase& scene) {
+  const double layer = boundary_layer(scene), widest = scene.cores.sigma_max;
   const double error = widest * widest / (16 * layer * layer);
   if (error > 0.05)
     list.push_back(fmt::format(
@@ -46,7 +46,7 @@ void doubt_cores(List& list, const io::Scene& scene) {
         "releases: wall vorticity and friction will be off by tens of percent",
         thin, thin / fresh, fresh));
   const double from = scene.cores.coarsen_from.value_or(INFINITY),
-               size = io::length_of(*scene.body);
+               size = body::length_of(*scene.body);
   if (from < 0.1 * size)
     list.push_back(fmt::format(
         "cores.coarsen_from = {:.3g}: cores may be {:.2g} times as wide already half a body's "
@@ -54,21 +54,21 @@ void doubt_cores(List& list, const io::Scene& scene) {
         from, std::pow(0.5 * size / from, 0.75), 0.5 * size));
 }
 
-void doubt_step(List& list, const io::Scene& scene) {
-  const double size = io::length_of(*scene.body), speed = io::fastest_of(scene);
-  const double turn = io::turn_at_wall(scene), dt = scene.time.dt;
+void doubt_step(List& list, const VortexCase& scene) {
+  const double size = body::length_of(*scene.body), speed = flow::fastest_of(scene);
+  const double turn = turn_at_wall(scene), dt = scene.time.dt;
   if (turn > 2)
     list.push_back(fmt::format(
         "time.dt = {:.3g}: the vorticity at the wall turns by {:.2g} rad a step, more than the "
         "time integration can follow; the drag will be wrong, or the run will end early; {:.2g} is "
         "right",
         dt, turn, 0.02 * std::sqrt(550 * scene.flow.nu / (speed * size)) * size / speed));
-  if (const double tips = io::turn_at_tip(scene); tips > 15)
+  if (const double tips = turn_at_tip(scene); tips > 15)
     list.push_back(
         fmt::format("time.dt = {:.3g}: the flow turns around the body's edge, of radius {:.2g}, by "
                     "{:.2g} rad a "
                     "step: blobs will multiply there; {:.2g} is right",
-                    dt, io::tip_radius(*scene.body), tips, 8 * dt / tips));
+                    dt, body::tip_radius(*scene.body), tips, 8 * dt / tips));
   if (scene.plunge && dt * scene.plunge->frequency > 0.05)
     list.push_back(fmt::format(
         "time.dt = {:.3g}: a period of the plunge has {:.2g} steps; {:.2g} gives it 100", dt,
@@ -76,7 +76,7 @@ void doubt_step(List& list, const io::Scene& scene) {
 }
 
 void doubt_panels(List& list, const body::BodySettings& body, double thin) {
-  const double around = io::perimeter_of(body), panel = around / body.panels;
+  const double around = body::perimeter_of(body), panel = around / body.panels;
   if (panel > 6 * thin)
     list.push_back(fmt::format(
         "body.panels = {}: panels of {:.2g} are {:.2g} released cores long, so that fresh "
@@ -84,30 +84,30 @@ void doubt_panels(List& list, const body::BodySettings& body, double thin) {
         "are "
         "enough",
         body.panels, panel, panel / thin, std::ceil(around / (2.4 * thin))));
-  const double tip = io::tip_radius(body);
-  if (panel > io::coarse_at_tip * tip)
+  const double tip = body::tip_radius(body);
+  if (panel > coarse_at_tip * tip)
     list.push_back(fmt::format(
         "body.panels = {}: panels of {:.2g} do not resolve an edge of radius {:.2g}: the sheet "
         "around it will be off by {}; {:.0f} are enough",
         body.panels, panel, tip, panel > 3 * tip ? "a tenth and more" : "percents",
-        std::ceil(around / (io::panel_at_tip * tip))));
+        std::ceil(around / (panel_at_tip * tip))));
 }
 
-void doubt_body(List& list, const io::Scene& scene) {
+void doubt_body(List& list, const VortexCase& scene) {
   doubt_reynolds(list, scene);
   doubt_cores(list, scene);
   doubt_step(list, scene);
   doubt_panels(list, *scene.body, scene.cores.sigma_0);
 }
 
-void doubt_initial(List& list, const vortex::InitialSettings& i, double core) {
+void doubt_initial(List& list, const flow::InitialSettings& i, double core) {
   if (i.spacing > 1.4)
     list.push_back(
         fmt::format("initial.spacing = {:.2g}: blobs so many cores apart leave gaps, an error of "
                     "{:.1g} of the vorticity from the start; 1 leaves 2e-4",
                     i.spacing, 4 * std::exp(-std::pow(std::numbers::pi / i.spacing, 2))));
-  const double thin = io::least_width(i);
-  if (i.kind == vortex::InitialKind::kirchhoff_ellipse && core > 0.3 * thin)
+  const double thin = flow::least_width(i);
+  if (i.kind == flow::InitialKind::kirchhoff_ellipse && core > 0.3 * thin)
     list.push_back(
         fmt::format("cores.sigma_0 = {:.3g}: the vortex's edge is as wide, and its half width is "
                     "{:.3g}; {:.2g} "
@@ -129,10 +129,10 @@ void doubt_initial(List& list, const vortex::InitialSettings& i, double core) {
         *i.perturbation));
 }
 
-void doubt_vortex(List& list, const io::Scene& scene) {
-  const vortex::InitialSettings& i = *scene.initial;
-  const double width = io::least_width(i);
-  const double turn = io::turn_of_vortex(scene);
+void doubt_vortex(List& list, const VortexCase& scene) {
+  const flow::InitialSettings& i = *scene.initial;
+  const double width = flow::least_width(i);
+  const double turn = turn_of_vortex(scene);
   const double most = scene.time.scheme == flow::Scheme::rk4 ? 1 : 0.5;
   if (turn > most)
     list.push_back(fmt::format(
@@ -148,9 +148,9 @@ void doubt_vortex(List& list, const io::Scene& scene) {
 
 /// Where doubles are too coarse for places: positions are computed as seen from the flow's centre,
 /// but written as they are in the scene.
-void doubt_places(List& list, const io::Scene& scene) {
+void doubt_places(List& list, const VortexCase& scene) {
   constexpr double share = 0.01, spacing = 0x1p-52;
-  const auto doubt = [&](const char* key, const io::Vec2& centre, const io::Vec2& way) {
+  const auto doubt = [&](const char* key, const Pair& centre, const Pair& way) {
     const double far = std::max(std::hypot(centre[0], centre[1]),
                                 std::hypot(centre[0] + way[0], centre[1] + way[1]));
     if (far * spacing > share * scene.cores.sigma_0)
@@ -162,7 +162,7 @@ void doubt_places(List& list, const io::Scene& scene) {
           share * scene.cores.sigma_0 / spacing));
   };
   const double end = scene.time.end;
-  const io::Vec2 drift{scene.flow.stream[0] * end, scene.flow.stream[1] * end};
+  const Pair drift{scene.flow.stream[0] * end, scene.flow.stream[1] * end};
   if (scene.body)
     doubt("body.centre", scene.body->centre, {});
   else if (scene.initial)
@@ -171,12 +171,12 @@ void doubt_places(List& list, const io::Scene& scene) {
 
 }  // namespace
 
-std::vector<std::string> warnings(const io::Scene& scene) {
-  List list = warnings_of_times(scene);
+std::vector<std::string> warnings(const VortexCase& scene) {
+  List list;
   doubt_places(list, scene);
-  if (scene.body && io::fastest_of(scene) > 0 && scene.flow.nu > 0) doubt_body(list, scene);
+  if (scene.body && flow::fastest_of(scene) > 0 && scene.flow.nu > 0) doubt_body(list, scene);
   if (scene.initial) doubt_initial(list, *scene.initial, scene.cores.sigma_0);
-  if (scene.initial && scene.body && io::covers(*scene.body, scene.initial->centre))
+  if (scene.initial && scene.body && body::covers(*scene.body, scene.initial->centre))
     list.push_back(fmt::format(
         "initial.centre = [{:.4g}, {:.4g}] lies within the body, where no vorticity can be",
         scene.initial->centre[0], scene.initial->centre[1]));
@@ -187,4 +187,4 @@ std::vector<std::string> warnings(const io::Scene& scene) {
   return list;
 }
 
-}  // namespace vortree::checks
+}  // namespace vortree::vortex

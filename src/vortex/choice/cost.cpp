@@ -1,4 +1,4 @@
-#include "checks/warnings/cost.hpp"
+#include "vortex/choice/cost.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/extent.hpp"
+#include "flow/initial/widths.hpp"
 #include "flow/solver.hpp"
-#include "io/scene/scales.hpp"
+#include "vortex/choice/scales.hpp"
 
-namespace vortree::checks {
+namespace vortree::vortex {
 namespace {
 
 // Measured on one thread: 144 000 to 242 000 blobs took 860 bytes each, flows of thousands of blobs
@@ -20,56 +22,56 @@ constexpr double bytes_a_blob = 1000, bytes_a_point = 150, blobs_a_second = 2e5,
                  operations_a_second = 3e9, points_a_second = 3e5, seconds_a_step = 1e-3;
 
 /// How many a blob becomes where nothing merges.
-double multiplied_in(const io::Scene& scene, double time) {
-  if (!io::spreads_cores(scene) || scene.merging.tolerance > 0) return 1;
-  return std::pow(scene.splitting.children, std::floor(io::generations(scene, time)));
+double multiplied_in(const VortexCase& scene, double time) {
+  if (!spreads_cores(scene) || scene.merging.tolerance > 0) return 1;
+  return std::pow(scene.splitting.children, std::floor(generations(scene, time)));
 }
 
 /// Blobs of the lattice that the initial vorticity is cut into.
-double lattice_blobs(const io::Scene& scene) {
-  const vortex::InitialSettings& i = *scene.initial;
+double lattice_blobs(const VortexCase& scene) {
+  const flow::InitialSettings& i = *scene.initial;
   const double h = i.spacing * scene.cores.sigma_0, s2 = scene.cores.sigma_0 * scene.cores.sigma_0;
-  const double across = io::across(i);
+  const double across = flow::across(i);
   const double vortices = i.separation ? 2 : 1;
-  if (i.kind == vortex::InitialKind::kirchhoff_ellipse)
+  if (i.kind == flow::InitialKind::kirchhoff_ellipse)
     return std::numbers::pi * (i.core + h) * (across + h) / (h * h);
   const double p = std::sqrt(i.core * i.core - s2), q = std::sqrt(across * across - s2);
   return vortices * (std::numbers::pi * p * q * -std::log(i.faintest) / (h * h) + 1);
 }
 
-double free_blobs(const io::Scene& scene) {
-  const vortex::InitialSettings& i = *scene.initial;
+double free_blobs(const VortexCase& scene) {
+  const flow::InitialSettings& i = *scene.initial;
   const double start = lattice_blobs(scene), most2 = scene.cores.sigma_max * scene.cores.sigma_max;
-  if (!io::spreads_cores(scene)) return start;
+  if (!spreads_cores(scene)) return start;
   if (scene.merging.tolerance == 0) return start * multiplied_in(scene, scene.time.end);
-  const double across = io::across(i), vortices = i.separation ? 2 : 1;
+  const double across = flow::across(i), vortices = i.separation ? 2 : 1;
   const double spread = 4 * scene.flow.nu * scene.time.end;
   const double area = std::numbers::pi *
                       std::sqrt((i.core * i.core + spread) * (across * across + spread)) *
                       -std::log(i.faintest);
-  return std::max(start, io::crowding(scene) * vortices * area / most2);
+  return std::max(start, crowding(scene) * vortices * area / most2);
 }
 
 /// Boundary layer and wake, cut off by the box, thinned by coarsening.
-double wake_area(const io::Scene& scene) {
-  const double length = io::length_of(*scene.body),
+double wake_area(const VortexCase& scene) {
+  const double length = body::length_of(*scene.body),
                layer = 4 * std::sqrt(scene.flow.nu * scene.time.end);
-  const double way = io::fastest_of(scene) * scene.time.end,
+  const double way = flow::fastest_of(scene) * scene.time.end,
                from = scene.cores.coarsen_from.value_or(way);
   const double beyond = way > from ? 2 * from * (1 - std::sqrt(from / way)) : 0;
-  const double around = layer * (io::perimeter_of(*scene.body) + std::numbers::pi * layer);
+  const double around = layer * (body::perimeter_of(*scene.body) + std::numbers::pi * layer);
   const double area = around + (length + layer) * (std::min(way, from) + beyond);
   if (!scene.merging.box) return area;
   const auto [x0, y0, x1, y1] = *scene.merging.box;
   return std::min(area, (x1 - x0) * (y1 - y0));
 }
 
-double wall_blobs(const io::Scene& scene, double steps) {
+double wall_blobs(const VortexCase& scene, double steps) {
   const double released = scene.body->panels * (steps + 8);
   const bool merges = scene.flow.nu > 0 && scene.merging.tolerance > 0;
   if (!merges) return released * multiplied_in(scene, scene.time.end);
   const double most2 = scene.cores.sigma_max * scene.cores.sigma_max;
-  return scene.body->panels + io::crowding(scene) * 1.5 * wake_area(scene) / most2;
+  return scene.body->panels + crowding(scene) * 1.5 * wake_area(scene) / most2;
 }
 
 double picture_points(const flow::OutputSettings& output) {
@@ -98,7 +100,7 @@ std::size_t blobs_in(double bytes) {
   return static_cast<std::size_t>(std::min(bytes / bytes_a_blob, 1e15));
 }
 
-Cost cost_of(const io::Scene& scene) {
+Cost cost_of(const VortexCase& scene) {
   Cost c{.steps = scene.time.end / scene.time.dt};
   const double panels = scene.body ? scene.body->panels : 0;
   const double start = scene.initial ? lattice_blobs(scene) : 0;
@@ -117,7 +119,7 @@ Cost cost_of(const io::Scene& scene) {
   return c;
 }
 
-std::vector<std::string> costly(const io::Scene& scene, double memory) {
+std::vector<std::string> costly(const VortexCase& scene, double memory) {
   std::vector<std::string> list;
   const Cost c = cost_of(scene);
   if (c.setup > 60)
@@ -133,31 +135,32 @@ std::vector<std::string> costly(const io::Scene& scene, double memory) {
   return list;
 }
 
-void refuse_beyond(const io::Scene& scene, double memory) {
+void refuse_beyond(const VortexCase& scene, double memory) {
   const Cost c = cost_of(scene);
-  const auto refuse = [&](const std::string& words) {
-    throw io::InputError(fmt::format("{}: {}, more than the {} of this machine",
-                                     scene.origin.path.string(), words, size(memory)));
+  const auto refuse = [&](const char* key, const std::string& words) {
+    throw Refused(key, fmt::format("{}, more than the {} of this machine", words, size(memory)));
   };
   if (c.wall_bytes > memory)
-    refuse(fmt::format("body.panels is {}; the wall's matrix would take {}", scene.body->panels,
-                       size(c.wall_bytes)));
+    refuse("body.panels", fmt::format("body.panels is {}; the wall's matrix would take {}",
+                                      scene.body->panels, size(c.wall_bytes)));
   if (const double most = std::min<double>(blobs_in(memory), flow::most_particles);
       scene.initial && lattice_blobs(scene) > most)
-    throw io::InputError(fmt::format(
-        "{}: initial.spacing {} and cores.sigma_0 {} cut the vortex into {:.3g} blobs; this "
-        "machine holds {:.2g}",
-        scene.origin.path.string(), scene.initial->spacing, scene.cores.sigma_0,
-        lattice_blobs(scene), most));
+    throw Refused(
+        "initial.spacing",
+        fmt::format("initial.spacing {} and cores.sigma_0 {} cut the vortex into {:.3g} blobs; "
+                    "this machine holds {:.2g}",
+                    scene.initial->spacing, scene.cores.sigma_0, lattice_blobs(scene), most));
   if (const double picture = bytes_a_point * picture_points(scene.output); picture > memory)
-    refuse(fmt::format("output.field_spacing {} makes pictures of {:.2g} points and {}",
+    refuse("output.field_spacing",
+           fmt::format("output.field_spacing {} makes pictures of {:.2g} points and {}",
                        *scene.output.field_spacing, picture_points(scene.output), size(picture)));
   // What grows on the way is known to a factor of three.
   if (c.bytes > 3 * memory)
-    refuse(fmt::format(
-        "cores.sigma_max {}, merging.tolerance {} and time.end {} make some {:.2g} "
-        "blobs and need some {}",
-        scene.cores.sigma_max, scene.merging.tolerance, scene.time.end, c.blobs, size(c.bytes)));
+    refuse("cores.sigma_max",
+           fmt::format("cores.sigma_max {}, merging.tolerance {} and time.end {} make some {:.2g} "
+                       "blobs and need some {}",
+                       scene.cores.sigma_max, scene.merging.tolerance, scene.time.end, c.blobs,
+                       size(c.bytes)));
 }
 
-}  // namespace vortree::checks
+}  // namespace vortree::vortex

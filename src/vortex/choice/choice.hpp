@@ -1,12 +1,11 @@
 #pragma once
 
-#include "io/scene/document.hpp"
-#include "io/scene/scene.hpp"
+#include "vortex/settings.hpp"
 
-namespace vortree::io {
+namespace vortree::vortex {
 
-/// Fills in what a scene leaves out: viscosity from flow.reynolds, and from `accuracy` whatever of
-/// cores, time step, merging, velocity tolerance and panels is not written.
+/// Fills in what a scene leaves out: from `accuracy` whatever of cores, time step, merging, velocity
+/// tolerance and panels is not written.
 ///
 /// With a body of diameter D in a stream U (sqrt(U^2 + V^2) for one that plunges with speeds up to
 /// V), accuracy e the drag's relative error (measured at
@@ -22,7 +21,7 @@ namespace vortree::io {
 ///                                           0.1 min(e, 0.05) D^2/nu, that cores stay as small
 ///                                           against the body as they are at Re = 20; here and
 ///                                           below a little less, so that time.end is met
-///                                           (time.hpp)
+///                                           (flow/steps.hpp)
 ///   sigma_0   = sqrt(2 nu dt)               panels: 2.4 sigma_0 long on the circle around the
 ///                                           body, 0.7 of the radius of an edge or tip at most,
 ///                                           128 to 4000 of them
@@ -37,8 +36,7 @@ namespace vortree::io {
 ///   makes up for,
 ///   merging.tolerance = 0.02 e L omega,  velocity.tolerance = e/1000
 ///
-/// throws  InputError if both nu and reynolds are given and disagree, or a needed key is neither
-///         written nor chosen
-void choose_missing(const Document& document, Scene& scene);
+/// throws  Refused if a needed key is neither written nor chosen
+void choose_missing(flow::Case& of, VortexSettings& own, const flow::Written& written);
 
-}  // namespace vortree::io
+}  // namespace vortree::vortex

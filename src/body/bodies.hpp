@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "body/motion.hpp"
+#include "body/settings.hpp"
+#include "body/shape.hpp"
+
+namespace vortree::body {
+
+/// How a body moves: to and fro, and about its centre.
+struct Motion {
+  Plunge plunge{};
+  Spin spin{};
+};
+[[nodiscard]] Motion motion_of(const std::optional<PlungeSettings>&,
+                               const std::optional<MotionSettings>&);
+
+/// A body of a flow, whatever computes it.
+///
+/// shape   as seen from its centre
+/// centre  at t = 0, in the scene
+/// panels  so many pieces of its wall, of equal length, are told apart
+struct Body {
+  std::shared_ptr<const Shape> shape;
+  Vec2 centre{};
+  Motion motion{};
+  int panels = 0;
+};
+using Bodies = std::vector<Body>;
+
+/// The shape that settings name, about the origin.
+[[nodiscard]] std::unique_ptr<Shape> draw(const BodySettings&);
+
+}  // namespace vortree::body

@@ -1,0 +1,187 @@
+#include "flow/case.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "body/extent.hpp"
+#include "flow/steps.hpp"
+
+namespace vortree::flow {
+
+std::vector<Key> keys(Case& of) {
+  return {key("title", of.title, anything, "", "name of the scene"),
+          key("seed", of.seed, not_negative, "", "start of the random numbers"),
+          key("accuracy", of.accuracy,
+              {.low = 0, .high = 1, .above_low = true, .words = "it must lie between 0 and 1"}, "",
+              "relative error aimed at: chooses what is not written of `cores.sigma_0`, "
+              "`cores.sigma_max`, `time.dt`, `merging.*`, `velocity.tolerance` and, beside a body, "
+              "`body.panels` and `velocity.cores`")};
+}
+
+std::vector<Table> tables(Case& of) {
+  return {table("flow", of.flow, true), table("body", of.body),       table("plunge", of.plunge),
+          table("motion", of.motion),   table("initial", of.initial), table("time", of.time, true),
+          table("output", of.output)};
+}
+
+namespace {
+
+constexpr double most_picture_points = 1e8;
+
+double fastest_plunge(const Case& of) {
+  if (!of.plunge) return 0;
+  return 2 * std::numbers::pi * of.plunge->frequency * of.plunge->amplitude;
+}
+
+/// Of the wall along itself.
+double spinning_wall(const Case& of) {
+  return of.motion ? std::abs(of.motion->spin) * body::length_of(*of.body) / 2 : 0;
+}
+
+void refuse_plunge(const Case& of) {
+  if (!of.body) throw Refused("plunge", "[plunge] is how a body moves; there is no [body]");
+  if (of.plunge->direction == Pair{0, 0})
+    throw Refused("plunge.direction",
+                  "plunge.direction is [0, 0]; a direction was expected, as [0, 1]");
+}
+
+void refuse_motion(const Case& of) {
+  if (!of.body) throw Refused("motion", "[motion] is how a body moves; there is no [body]");
+  if (of.body->shape != body::ShapeKind::circle)
+    throw Refused("motion.spin",
+                  fmt::format("motion.spin is {}; only a circle can turn in its place, body.shape "
+                              "is \"{}\"",
+                              of.motion->spin, word(of.body->shape)));
+}
+
+/// What a kind needs is there, and no more.
+void refuse_initial(const InitialSettings& initial) {
+  using enum InitialKind;
+  const InitialKind kind = initial.kind;
+  const auto belongs = [&](const char* key, const std::optional<double>& value, bool wanted) {
+    if (value.has_value() != wanted)
+      throw Refused(value ? fmt::format("initial.{}", key) : "initial",
+                    fmt::format("initial.kind is \"{}\"; that {} the key initial.{}", word(kind),
+                                wanted ? "needs" : "does not have", key));
+  };
+  belongs("core_across", initial.core_across,
+          kind == gaussian_ellipse || kind == kirchhoff_ellipse);
+  belongs("separation", initial.separation, kind == corotating_pair || kind == dipole);
+  belongs("perturbation", initial.perturbation, kind == tripole);
+  if (initial.circulation == 0)
+    throw Refused("initial.circulation",
+                  "initial.circulation is 0; there would be no vorticity to follow");
+  if (initial.spacing > 3)
+    throw Refused("initial.spacing",
+                  fmt::format("initial.spacing is {}; blobs more than 3 cores apart make no "
+                              "vortex; 1 is right",
+                              initial.spacing));
+}
+
+/// The keys that a shape has.
+void refuse_body(const body::BodySettings& body) {
+  const auto belongs = [&](const char* key, const std::optional<double>& value, bool known,
+                           bool needed) {
+    if (value ? !known : needed)
+      throw Refused(value ? fmt::format("body.{}", key) : "body",
+                    fmt::format("body.shape is \"{}\"; that {} the key body.{}", word(body.shape),
+                                value ? "does not have" : "needs", key));
+  };
+  const bool foil = body.shape == body::ShapeKind::naca0012,
+             ellipse = body.shape == body::ShapeKind::ellipse;
+  belongs("radius", body.radius, !foil, !foil);
+  belongs("across", body.across, ellipse, ellipse);
+  belongs("chord", body.chord, foil, foil);
+  belongs("edge", body.edge, foil, false);
+}
+
+void refuse_window(const OutputSettings& output) {
+  const auto [x0, y0, x1, y1] = *output.window;
+  if (!(x0 < x1 && y0 < y1))
+    throw Refused("output.window",
+                  fmt::format("output.window is [{}, {}, {}, {}]; [x0, y0, x1, y1] with x0 < x1 "
+                              "and y0 < y1 was expected",
+                              x0, y0, x1, y1));
+  if (!output.field_spacing) return;
+  const double points = (x1 - x0) * (y1 - y0) / (*output.field_spacing * *output.field_spacing);
+  if (points > most_picture_points)
+    throw Refused("output.field_spacing",
+                  fmt::format("output.field_spacing is {}; that makes a picture of {:.2g} "
+                              "points, {:.0e} at most are drawn",
+                              *output.field_spacing, points, most_picture_points));
+}
+
+void refuse_output(const Case& of) {
+  const OutputSettings& output = of.output;
+  if (output.frames < of.time.dt)
+    throw Refused("output.frames", fmt::format("output.frames is {}; it must be >= time.dt = {}",
+                                               output.frames, of.time.dt));
+  if (!output.fields.empty() && !(output.window && output.field_spacing))
+    throw Refused("output.fields",
+                  "output.fields needs output.window and output.field_spacing beside it");
+  if (output.window) refuse_window(output);
+}
+
+}  // namespace
+
+void choose_viscosity(Case& of, const Written& written) {
+  const bool given = written("flow", "nu");
+  if (!of.flow.reynolds) {
+    if (!given) throw Refused("flow", "[flow] needs the key nu");
+    return;
+  }
+  const double speed = speed_of(of);
+  if (!of.body || speed == 0)
+    throw Refused("flow.reynolds",
+                  fmt::format("flow.reynolds is {}; that needs [body] and a flow.stream, "
+                              "[plunge] or motion.spin",
+                              *of.flow.reynolds));
+  const double nu = speed * body::length_of(*of.body) / *of.flow.reynolds;
+  if (given && std::abs(of.flow.nu / nu - 1) > 1e-6)
+    throw Refused("flow.reynolds",
+                  fmt::format("flow.reynolds is {}, which makes flow.nu {}, but that is {}; "
+                              "write one of them",
+                              *of.flow.reynolds, nu, of.flow.nu));
+  if (!given) of.flow.nu = nu;
+}
+
+void complete_times(Case& of) {
+  refuse_uncountable(of.time);
+  if (of.output.frames == 0) of.output.frames = usual_frames(of.time);
+  refuse_output(of);
+}
+
+void refuse_senseless(const Case& of) {
+  if (of.body) refuse_body(*of.body);
+  if (of.plunge) refuse_plunge(of);
+  if (of.motion) refuse_motion(of);
+  if (of.initial) refuse_initial(*of.initial);
+  if (of.body && !of.initial && speed_of(of) == 0)
+    throw Refused("flow",
+                  "nothing moves: a body needs a flow.stream, a [plunge], a motion.spin or "
+                  "[initial] vorticity");
+}
+
+body::Bodies bodies_of(const Case& of) {
+  if (!of.body) return {};
+  const auto [x, y] = of.body->centre;
+  return {{body::draw(*of.body), {x, y}, body::motion_of(of.plunge, of.motion), of.body->panels}};
+}
+
+double speed_of_stream(const Case& of) {
+  return std::hypot(of.flow.stream[0], of.flow.stream[1]);
+}
+
+double speed_of(const Case& of) {
+  for (const double speed : {speed_of_stream(of), fastest_plunge(of)})
+    if (speed > 0) return speed;
+  return spinning_wall(of);
+}
+
+double fastest_of(const Case& of) {
+  return std::hypot(speed_of_stream(of), fastest_plunge(of)) + spinning_wall(of);
+}
+
+}  // namespace vortree::flow

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/keys.hpp"
+#include "body/bodies.hpp"
+#include "flow/initial/settings.hpp"
+#include "flow/settings.hpp"
+
+namespace vortree::flow {
+
+/// What a scene says of a flow, whatever method computes it. Every key of the TOML file is the
+/// member of the same name.
+struct Case {
+  std::string title{};
+  std::int64_t seed = 1;
+  /// The error aimed at, by which a method chooses what is not written.
+  std::optional<double> accuracy{};
+  FlowSettings flow{};
+  std::optional<body::BodySettings> body{};
+  std::optional<body::PlungeSettings> plunge{};
+  std::optional<body::MotionSettings> motion{};
+  std::optional<InitialSettings> initial{};
+  TimeSettings time{};
+  OutputSettings output{};
+};
+
+/// The keys at the top of a scene that belong to it, and its tables, in the order in which they are
+/// read and printed.
+[[nodiscard]] std::vector<Key> keys(Case&);
+[[nodiscard]] std::vector<Table> tables(Case&);
+
+/// Whether a scene says a key of a table, so that it is not to be chosen.
+using Written = std::function<bool(std::string_view table, std::string_view key)>;
+
+/// Fills in flow.nu from flow.reynolds.
+/// throws  Refused if both are given and disagree, if neither is, or if there is nothing to go by
+void choose_viscosity(Case& of, const Written& written);
+
+/// Fills in output.frames. time.dt must be there by now.
+/// throws  Refused for steps that cannot be counted (flow/steps.hpp) or output that cannot be meant
+void complete_times(Case& of);
+
+/// throws  Refused for what every number by itself may be, but nobody can mean: a motion without a
+///         body, a shape that cannot move so, a direction [0, 0], a body at rest in fluid at rest
+void refuse_senseless(const Case& of);
+
+/// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
+/// greatest of the plunge; without both that of a wall that spins; 0 without any.
+[[nodiscard]] double speed_of(const Case& of);
+[[nodiscard]] double speed_of_stream(const Case& of);
+
+/// The bodies as they stand at t = 0.
+[[nodiscard]] body::Bodies bodies_of(const Case& of);
+
+/// The fastest that a body and its stream meet, or a little more.
+[[nodiscard]] double fastest_of(const Case& of);
+
+}  // namespace vortree::flow

@@ -1,0 +1,109 @@
+#include "vortex/choice/choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "body/extent.hpp"
+#include "flow/initial/widths.hpp"
+#include "flow/steps.hpp"
+#include "vortex/choice/scales.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+/// What an accuracy calls for.
+struct Choice {
+  double sigma_0, sigma_max, dt, merging, reach, cap, velocity;
+  int panels;
+};
+
+Choice past_body(const VortexCase& scene, double e) {
+  const double speed = flow::fastest_of(scene);
+  const double length = body::length_of(*scene.body), nu = scene.flow.nu;
+  const double reynolds = speed * length / nu;
+  Choice c{};
+  // A scene that sets its own step has the cores that go with it.
+  const double period = scene.plunge ? 1 / scene.plunge->frequency : INFINITY;
+  c.dt = scene.time.dt > 0
+             ? scene.time.dt
+             : flow::fitted_step(
+                   scene, std::min({2 * e * length / speed,
+                                    0.02 * std::sqrt(550 / reynolds) * length / speed, period / 100,
+                                    0.1 * std::min(e, 0.05) * length * length / nu}));
+  c.sigma_max = std::min(4 * std::sqrt(e * nu * length / speed),
+                         std::sqrt(8 * nu * c.dt) * std::pow(std::max(e / 0.01, 1.0), 0.25));
+  const double beside_body = reynolds < 20 ? 4 * length * std::sqrt(e / 20) : length / 4;
+  c.sigma_max = std::min({c.sigma_max, beside_body, length / 4});
+  c.sigma_max = std::max(c.sigma_max, std::sqrt(4 * nu * c.dt));
+  c.sigma_0 = std::min(std::sqrt(2 * nu * c.dt), c.sigma_max);
+  c.merging = 0.4 * std::sqrt(e) * speed;
+  c.reach = 3;
+  c.cap = 1.2;
+  c.velocity = std::clamp(e / 1000, 1e-12, 1e-3);
+  const double around = scene.body->shape == body::ShapeKind::naca0012
+                            ? body::perimeter_of(*scene.body)
+                            : std::max(body::perimeter_of(*scene.body), std::numbers::pi * length);
+  const double tips =
+      body::perimeter_of(*scene.body) / (panel_at_tip * body::tip_radius(*scene.body));
+  c.panels =
+      static_cast<int>(std::clamp(std::max(around / (2.4 * c.sigma_0), tips), 128.0, 4000.0));
+  return c;
+}
+
+Choice free_vortex(const VortexCase& scene, double e) {
+  const flow::InitialSettings& i = *scene.initial;
+  const double width = flow::least_width(i);
+  const double omega = flow::mean_vorticity(i);
+  Choice c{};
+  c.sigma_max = 1.2 * width * std::sqrt(e);
+  c.sigma_0 = c.sigma_max / 1.3;
+  c.dt = 0.4 / omega;
+  if (scene.flow.nu > 0) c.dt = std::min(c.dt, c.sigma_max * c.sigma_max / (4 * scene.flow.nu));
+  c.dt = flow::fitted_step(scene, c.dt);
+  c.merging = 0.02 * e * width * omega;
+  c.reach = MergingSettings{}.reach;
+  c.cap = MergingSettings{}.cap;
+  c.velocity = std::clamp(e / 1000, 1e-12, 1e-4);
+  return c;
+}
+
+}  // namespace
+
+void choose_missing(flow::Case& of, VortexSettings& own, const flow::Written& written) {
+  const bool body = of.body && flow::speed_of(of) > 0;
+  if (of.accuracy && ((body && of.flow.nu > 0) || of.initial)) {
+    const double e = *of.accuracy;
+    const VortexCase scene{of, own};
+    const Choice c = body ? past_body(scene, e) : free_vortex(scene, e);
+    const auto fill = [&](std::string_view table, std::string_view key, auto& target,
+                          const auto& value) {
+      if (!written(table, key)) target = value;
+    };
+    fill("cores", "sigma_0", own.cores.sigma_0, c.sigma_0);
+    fill("cores", "sigma_max", own.cores.sigma_max, c.sigma_max);
+    fill("time", "dt", of.time.dt, c.dt);
+    fill("merging", "tolerance", own.merging.tolerance, c.merging);
+    fill("merging", "reach", own.merging.reach, c.reach);
+    fill("merging", "cap", own.merging.cap, c.cap);
+    fill("velocity", "tolerance", own.velocity.tolerance, c.velocity);
+    if (body) {
+      fill("body", "panels", of.body->panels, c.panels);
+      fill("velocity", "cores", own.velocity.cores, PairCores::both);
+    }
+  }
+  const auto require = [&](std::string_view table, std::string_view key, double value) {
+    if (value == 0)
+      throw Refused(std::string(table),
+                    fmt::format("[{0}] needs the key {1}, or the scene `accuracy`, which chooses "
+                                "it for a body in a stream and for an initial vortex",
+                                table, key));
+  };
+  require("cores", "sigma_0", own.cores.sigma_0);
+  require("cores", "sigma_max", own.cores.sigma_max);
+  require("time", "dt", of.time.dt);
+}
+
+}  // namespace vortree::vortex

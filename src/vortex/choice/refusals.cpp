@@ -1,0 +1,162 @@
+#include "vortex/choice/refusals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "body/extent.hpp"
+#include "flow/initial/widths.hpp"
+#include "vortex/choice/scales.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+/// Of the body's length. A blob is released as long as a panel and as thick as a core, and its
+/// covariance keeps both where their squares are less than 1e16 apart.
+constexpr double thinnest_core = 1e-6;
+
+Pair seen_from(const Pair& at, const Pair& from) {
+  return {at[0] - from[0], at[1] - from[1]};
+}
+
+void hold_pair(const flow::InitialSettings& initial, double sigma_0) {
+  if (!initial.separation || sigma_0 == 0) return;
+  const double apart = *initial.separation;
+  if (apart < sigma_0)
+    throw Refused("initial.separation",
+                  fmt::format("initial.separation is {}; two vortices are at least a core, "
+                              "cores.sigma_0 = {}, apart",
+                              apart, sigma_0));
+  if (apart > 1e5 * sigma_0)
+    throw Refused("initial.separation",
+                  fmt::format("initial.separation is {}; vortices of cores.sigma_0 = {} can be "
+                              "{} apart at most",
+                              apart, sigma_0, 1e5 * sigma_0));
+}
+
+/// Widths are those of Gaussians that blobs can make up.
+void hold_widths(const flow::InitialSettings& initial, double sigma_0) {
+  if (initial.kind == flow::InitialKind::kirchhoff_ellipse) return;
+  for (const auto& [key, width] : {std::pair{"initial.core", std::optional(initial.core)},
+                                   std::pair{"initial.core_across", initial.core_across}})
+    if (width && !(*width > sigma_0))
+      throw Refused(key,
+                    fmt::format("{} is {}; it must be > cores.sigma_0 = {}", key, *width, sigma_0));
+}
+
+/// What several keys must fulfil together.
+void hold_together(const VortexCase& scene) {
+  const CoreSettings& cores = scene.cores;
+  if (cores.sigma_max < cores.sigma_0)
+    throw Refused("cores.sigma_max",
+                  fmt::format("cores.sigma_max is {}; it must be >= cores.sigma_0 = {}",
+                              cores.sigma_max, cores.sigma_0));
+  if (scene.initial) hold_widths(*scene.initial, cores.sigma_0);
+  if (scene.body && scene.diffusion.kind != Diffusion::core_spreading)
+    throw Refused("diffusion.kind",
+                  fmt::format("diffusion.kind is \"{}\"; beside a body vorticity diffuses by "
+                              "core_spreading only",
+                              word(scene.diffusion.kind)));
+  if (!scene.body && !scene.initial)
+    throw Refused("", "a scene needs [body] or [initial]; without both there is no vorticity");
+  if (const auto& box = scene.merging.box; box && !((*box)[0] < (*box)[2] && (*box)[1] < (*box)[3]))
+    throw Refused("merging.box",
+                  "merging.box is [x0, y0, x1, y1]; x0 < x1 and y0 < y1 were expected");
+  if (cores.coarsen_from && !scene.body)
+    throw Refused("cores.coarsen_from",
+                  "cores.coarsen_from is a distance from the body; there is no [body]");
+}
+
+void hold_distance(const VortexCase& scene) {
+  const auto [x, y] = seen_from(scene.initial->centre, scene.body->centre);
+  const double most = 1e5 * scene.cores.sigma_0;
+  if (std::hypot(x, y) > most)
+    throw Refused("initial.centre",
+                  fmt::format("initial.centre is {} away from body.centre; blobs of "
+                              "cores.sigma_0 = {} can be {} away at most",
+                              std::hypot(x, y), scene.cores.sigma_0, most));
+}
+
+void hold_cores(const VortexCase& scene) {
+  const double half = body::length_of(*scene.body) / 2;
+  for (const auto& [key, core] : {std::pair{"cores.sigma_0", scene.cores.sigma_0},
+                                  std::pair{"cores.sigma_max", scene.cores.sigma_max}})
+    if (core > half)
+      throw Refused(key, fmt::format("{} is {}; cores wider than half the body's length, {}, "
+                                     "know nothing of it",
+                                     key, core, half));
+  if (const double least = thinnest_core * 2 * half; scene.cores.sigma_0 < least)
+    throw Refused("cores.sigma_0",
+                  fmt::format("cores.sigma_0 is {}; cores thinner than {:.0e} of the body's "
+                              "length, {:.3g}, are lost beside panels",
+                              scene.cores.sigma_0, thinnest_core, least));
+}
+
+void hold_steps(const VortexCase& scene) {
+  const double dt = scene.time.dt;
+  if (scene.plunge && dt * scene.plunge->frequency > 0.25)
+    throw Refused("plunge.frequency",
+                  fmt::format("plunge.frequency is {}; a period of it has {:.2g} steps of "
+                              "time.dt = {}; {:.2g} gives it 100",
+                              scene.plunge->frequency, 1 / (scene.plunge->frequency * dt), dt,
+                              0.01 / scene.plunge->frequency));
+  if (const double core = scene.cores.sigma_0;
+      scene.diffusion.kind == Diffusion::particle_exchange &&
+      scene.flow.nu * dt > 0.5 * core * core)
+    throw Refused("diffusion.kind",
+                  fmt::format("diffusion.kind is \"particle_exchange\"; that is unstable for "
+                              "time.dt = {}, which may be sigma_0^2/(2 nu) = {:.3g} at most",
+                              dt, 0.5 * core * core / scene.flow.nu));
+  constexpr double most_turn = 100, good_turn = 0.5;
+  if (const double turn = std::max(turn_at_wall(scene), turn_of_vortex(scene)); turn > most_turn)
+    throw Refused("time.dt",
+                  fmt::format("time.dt is {}; vorticity would turn by {:.3g} rad a step; {:.2g} "
+                              "lets it turn by {}",
+                              dt, turn, dt * good_turn / turn, good_turn));
+}
+
+void hold_tips(const body::BodySettings& body) {
+  const double panel = body::perimeter_of(body) / body.panels, tip = body::tip_radius(body);
+  if (panel <= blind_at_tip * tip) return;
+  throw Refused(
+      "body.panels",
+      fmt::format("body.panels is {}; panels of {:.3g} step over the body's tips of radius {:.3g}; "
+                  "at least {:.0f} see them, {:.0f} resolve them",
+                  body.panels, panel, tip,
+                  std::ceil(body::perimeter_of(body) / (blind_at_tip * tip)),
+                  std::ceil(body::perimeter_of(body) / (panel_at_tip * tip))));
+}
+
+/// merging.box must hold what lies within `half` of the centre.
+void hold_box(const std::array<double, 4>& box, const Pair& centre, const Pair& half,
+              std::string_view what) {
+  const auto [x0, y0, x1, y1] = box;
+  const double left = centre[0] - half[0], right = centre[0] + half[0], low = centre[1] - half[1],
+               high = centre[1] + half[1];
+  if (x0 <= left && right <= x1 && y0 <= low && high <= y1) return;
+  throw Refused("merging.box",
+                fmt::format("merging.box is [{}, {}, {}, {}]; it must hold {}, which fills "
+                            "[{:.4g}, {:.4g}, {:.4g}, {:.4g}]",
+                            x0, y0, x1, y1, what, left, low, right, high));
+}
+
+}  // namespace
+
+void refuse_senseless(const VortexCase& scene) {
+  hold_together(scene);
+  if (scene.initial) hold_pair(*scene.initial, scene.cores.sigma_0);
+  if (scene.initial && scene.body) hold_distance(scene);
+  if (scene.body) hold_cores(scene);
+  hold_steps(scene);
+  if (scene.body) hold_tips(*scene.body);
+  if (!scene.merging.box) return;
+  if (scene.body)
+    hold_box(*scene.merging.box, scene.body->centre, body::half_extent(*scene.body), "the body");
+  if (scene.initial)
+    hold_box(*scene.merging.box, scene.initial->centre, flow::half_extent(*scene.initial),
+             "the initial vorticity");
+}
+
+}  // namespace vortree::vortex

@@ -1,0 +1,81 @@
+#include "vortex/choice/scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "body/extent.hpp"
+#include "flow/initial/widths.hpp"
+
+namespace vortree::vortex {
+
+double boundary_layer(const VortexCase& scene) {
+  const double speed = flow::fastest_of(scene);
+  if (!scene.body || speed == 0) return 0;
+  return std::sqrt(scene.flow.nu * body::length_of(*scene.body) / speed);
+}
+
+bool spreads_cores(const VortexCase& scene) {
+  return scene.flow.nu > 0 && scene.diffusion.kind == Diffusion::core_spreading;
+}
+
+double crowding(const VortexCase& scene) {
+  const double widest = scene.cores.sigma_max, layer = boundary_layer(scene);
+  double usual = 0;
+  if (layer > 0)
+    usual = 0.1 * flow::fastest_of(scene) * widest / layer;
+  else if (scene.initial)
+    usual = 0.014 * flow::mean_vorticity(*scene.initial) * widest * widest /
+            flow::least_width(*scene.initial);
+  const double tolerance = scene.merging.tolerance;
+  return tolerance > 0 ? std::sqrt(std::clamp(usual / tolerance, 1.0, 1e6)) : 1;
+}
+
+double turn_at_wall(const VortexCase& scene) {
+  const double layer = boundary_layer(scene);
+  return layer > 0 ? 2 * flow::fastest_of(scene) / layer * scene.time.dt : 0;
+}
+
+double turn_of_vortex(const VortexCase& scene) {
+  return scene.initial ? flow::mean_vorticity(*scene.initial) / 2 * scene.time.dt : 0;
+}
+
+double turn_at_tip(const VortexCase& scene) {
+  if (!scene.body || scene.body->shape == body::ShapeKind::circle) return 0;
+  const body::BodySettings& body = *scene.body;
+  const double turned = body.incidence * std::numbers::pi / 180;
+  const bool upright = body.across.value_or(0) > body.radius.value_or(INFINITY);
+  const Pair long_way = upright ? Pair{std::sin(turned), std::cos(turned)}
+                                : Pair{std::cos(turned), -std::sin(turned)};
+  const auto sideways = [&](const Pair& a) {
+    return std::abs(a[0] * long_way[1] - a[1] * long_way[0]);
+  };
+  double speed = sideways(scene.flow.stream);
+  if (scene.plunge) {
+    const Pair& way = scene.plunge->direction;
+    speed += 2 * std::numbers::pi * scene.plunge->frequency * scene.plunge->amplitude *
+             sideways(way) / std::hypot(way[0], way[1]);
+  }
+  const double half =
+      body.chord ? *body.chord / 2 : std::max(*body.radius, body.across.value_or(0));
+  const double round = std::max(body::tip_radius(body), scene.cores.sigma_0);
+  return speed * std::sqrt(half / round) / round * scene.time.dt;
+}
+
+double width_of_endless_splits(const VortexCase& scene) {
+  const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
+  return std::sqrt(alpha2 / (1 - alpha2) * 4 * scene.flow.nu * scene.time.dt);
+}
+
+bool splits_endlessly(const VortexCase& scene) {
+  const double child = width_of_endless_splits(scene), widest = scene.cores.sigma_max;
+  return child * child > scene.merging.cap * widest * widest;
+}
+
+double generations(const VortexCase& scene, double time) {
+  const double alpha2 = scene.splitting.alpha * scene.splitting.alpha;
+  const double most2 = scene.cores.sigma_max * scene.cores.sigma_max;
+  return 4 * scene.flow.nu * time / ((1 - alpha2) * most2);
+}
+
+}  // namespace vortree::vortex

@@ -1,0 +1,37 @@
+#include "vortex/method.hpp"
+
+#include "vortex/choice/choice.hpp"
+#include "vortex/choice/cost.hpp"
+#include "vortex/choice/refusals.hpp"
+#include "vortex/choice/warnings.hpp"
+#include "vortex/solver.hpp"
+
+namespace vortree::vortex {
+
+std::unique_ptr<flow::Method> VortexMethod::clone() const {
+  return std::make_unique<VortexMethod>(*this);
+}
+
+void VortexMethod::choose(flow::Case& of, const flow::Written& written) {
+  choose_missing(of, settings_, written);
+}
+
+void VortexMethod::refuse(const flow::Case& of) const {
+  refuse_senseless({of, settings_});
+}
+
+void VortexMethod::refuse_beyond(const flow::Case& of, double memory) const {
+  vortex::refuse_beyond({of, settings_}, memory);
+}
+
+std::vector<std::string> VortexMethod::warnings(const flow::Case& of) const {
+  return vortex::warnings({of, settings_});
+}
+
+std::unique_ptr<flow::Solver> VortexMethod::begin(const flow::Case& of, double memory) const {
+  Setup setup = setup_of({of, settings_});
+  setup.held_blobs = blobs_in(memory);
+  return std::make_unique<Solver>(std::move(setup));
+}
+
+}  // namespace vortree::vortex

@@ -1,0 +1,118 @@
+#include "vortex/setup.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "vortex/blobs/lattice.hpp"
+#include "vortex/choice/scales.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+/// Blobs of less circulation beside a body are let go [U D]. In a run they add up to less than the
+/// sums of velocities err by, and would outnumber the others (vortex/blobs/outflow.hpp).
+constexpr double faintest = 1e-12;
+
+Vec2 vec(const Pair& a) {
+  return {a[0], a[1]};
+}
+
+fmm::Options sums_of(const VelocitySettings& v) {
+  return {
+      .tolerance = v.tolerance,
+      .order = v.order,
+      .capacity = static_cast<std::uint32_t>(v.capacity),
+      .finest_level = v.finest_level,
+      .builder = v.builder,
+      .cores = v.cores == PairCores::source ? fmm::Cores::source : fmm::Cores::mean,
+      .method = v.method,
+  };
+}
+
+std::optional<Box> box_of(const MergingSettings& merging) {
+  if (!merging.box) return std::nullopt;
+  const auto [x0, y0, x1, y1] = *merging.box;
+  return Box{{x0, y0}, {x1, y1}};
+}
+
+Origin origin_of(const VortexCase& scene) {
+  if (scene.body) return {vec(scene.body->centre)};
+  return {scene.initial ? vec(scene.initial->centre) : Vec2{}, vec(scene.flow.stream)};
+}
+
+/// One vortex on the left, and one of circulation `right` on the right.
+Blobs two_vortices(Lattice lattice, const flow::InitialSettings& i, double right) {
+  const Vec2 half{0.5 * *i.separation, 0};
+  const Vec2 centre = lattice.centre;
+  lattice.centre = centre - half;
+  Blobs both = gaussian_ellipse(lattice, i.circulation, i.core, i.core);
+  lattice.centre = centre + half;
+  const Blobs other = gaussian_ellipse(lattice, right, i.core, i.core);
+  for (std::size_t k = 0; k < other.size(); ++k)
+    both.append(other.centre(k), other.gamma[k], other.sigma[k]);
+  return both;
+}
+
+/// The vorticity at t = 0, as seen from the flow's origin.
+Blobs initial_blobs(const VortexCase& scene) {
+  if (!scene.initial) return {};
+  const flow::InitialSettings& i = *scene.initial;
+  const Lattice lattice{vec(i.centre) - origin_of(scene).start, scene.cores.sigma_0,
+                        i.spacing * scene.cores.sigma_0, i.faintest};
+  switch (i.kind) {
+    case flow::InitialKind::gaussian_ellipse:
+      return gaussian_ellipse(lattice, i.circulation, i.core, *i.core_across);
+    case flow::InitialKind::kirchhoff_ellipse:
+      return uniform_ellipse(lattice, i.circulation, i.core, *i.core_across);
+    case flow::InitialKind::corotating_pair:
+      return two_vortices(lattice, i, i.circulation);
+    case flow::InitialKind::dipole:
+      return two_vortices(lattice, i, -i.circulation);
+    case flow::InitialKind::tripole:
+      return perturbed_vortex(lattice, i.circulation, i.core, *i.perturbation);
+    case flow::InitialKind::lamb_oseen:
+      break;
+  }
+  return gaussian_ellipse(lattice, i.circulation, i.core, i.core);
+}
+
+}  // namespace
+
+Setup setup_of(const VortexCase& scene) {
+  Setup made;
+  const flow::Scales scales = flow::scales_of(scene);
+  const body::Bodies bodies = flow::bodies_of(scene);
+  const body::Motion motion = bodies.empty() ? body::Motion{} : bodies.front().motion;
+  if (!bodies.empty())
+    made.wall = std::make_unique<Wall>(bodies.front().shape, bodies.front().panels);
+  made.blobs = initial_blobs(scene);
+  made.scales = scales;
+  made.origin = origin_of(scene);
+  made.box = box_of(scene.merging);
+  made.problem = {
+      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu, motion.plunge,
+               motion.spin},
+      .dt = scene.time.dt,
+      .scheme = scene.time.scheme,
+      .carrying_cores = scene.velocity.cores == PairCores::both ? std::numbers::sqrt2 : 1,
+      .sigma_0 = scene.cores.sigma_0,
+      .diffusion = scene.diffusion.kind,
+      .area = scene.initial ? std::pow(scene.initial->spacing * scene.cores.sigma_0, 2) : 0,
+      .splitting = {.sigma_max = scene.cores.sigma_max,
+                    .alpha = scene.splitting.alpha,
+                    .children = scene.splitting.children,
+                    .seed = static_cast<std::uint64_t>(scene.seed),
+                    .coarsening = {scene.cores.coarsen_from.value_or(INFINITY)}},
+      .merging = {.tolerance = scene.merging.tolerance,
+                  .reach = scene.merging.reach,
+                  .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
+      .faintest = made.wall ? faintest * scales.speed * scales.length : 0,
+      .wall = made.wall.get(),
+      .sums = sums_of(scene.velocity),
+  };
+  made.crowding = crowding(scene);
+  made.splits_endlessly = splits_endlessly(scene);
+  return made;
+}
+
+}  // namespace vortree::vortex
