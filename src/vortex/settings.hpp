@@ -13,16 +13,6 @@
 
 namespace vortree::vortex {
 
-/// The vorticity that a scene can begin with.
-enum class InitialKind {
-  lamb_oseen,
-  gaussian_ellipse,
-  kirchhoff_ellipse,
-  corotating_pair,
-  dipole,
-  tripole
-};
-
 /// The core of a pair: the mean of both; that of the source; or the mean, with which each blob moves
 /// as the mean over its own core does (Problem::carrying_cores).
 enum class PairCores { mean, source, both };
@@ -31,9 +21,6 @@ enum class PairCores { mean, source, both };
 
 namespace vortree {
 
-template <>
-inline constexpr std::array<std::string_view, 6> words_of<vortex::InitialKind>{
-    "lamb_oseen", "gaussian_ellipse", "kirchhoff_ellipse", "corotating_pair", "dipole", "tripole"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<vortex::Diffusion>{
     "core_spreading", "random_walk", "particle_exchange"};
@@ -76,26 +63,6 @@ struct MergingSettings {
   bool operator==(const MergingSettings&) const = default;
 };
 
-/// The vorticity at t = 0 around `centre`, cut into blobs `spacing` sigma_0 apart; those below
-/// `faintest` of the strongest are left out.
-///
-/// lamb_oseen         a Gaussian vortex of width core > sigma_0
-/// gaussian_ellipse   half widths core along x and core_across along y
-/// kirchhoff_ellipse  uniform vorticity within half axes core and core_across
-/// corotating_pair    two Gaussian vortices, each of `circulation`, `separation` apart along x
-/// dipole             the same, of opposite signs; it travels along +y
-/// tripole            a Gaussian vortex times 1 + perturbation (x^2 - y^2)/core^2
-struct InitialSettings {
-  InitialKind kind = InitialKind::lamb_oseen;
-  double circulation = 1;
-  double core = 0;
-  double spacing = 1;
-  std::array<double, 2> centre{0, 0};
-  std::optional<double> core_across{}, separation{}, perturbation{};
-  double faintest = 1e-12;
-  bool operator==(const InitialSettings&) const = default;
-};
-
 /// core_spreading: wider cores, split and merged; random_walk and particle_exchange: cores stay as
 /// they are, in free space only.
 struct DiffusionSettings {
@@ -119,7 +86,6 @@ struct VelocitySettings {
 [[nodiscard]] std::vector<Key> keys(CoreSettings&);
 [[nodiscard]] std::vector<Key> keys(SplittingSettings&);
 [[nodiscard]] std::vector<Key> keys(MergingSettings&);
-[[nodiscard]] std::vector<Key> keys(InitialSettings&);
 [[nodiscard]] std::vector<Key> keys(DiffusionSettings&);
 [[nodiscard]] std::vector<Key> keys(VelocitySettings&);
 
