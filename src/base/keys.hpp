@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -77,14 +76,15 @@ template <Worded E>
 
 /// A place for one of several words, known by their numbers in the list.
 struct OneOf {
-  std::span<const std::string_view> words;
+  std::vector<std::string_view> words;
   std::function<std::optional<std::size_t>()> get;  ///< none if an optional is not set
   std::function<void(std::size_t)> set;
 };
 
 template <Worded E>
 [[nodiscard]] OneOf one_of(E& value) {
-  return {words_of<E>, [&value] { return std::optional(static_cast<std::size_t>(value)); },
+  return {{words_of<E>.begin(), words_of<E>.end()},
+          [&value] { return std::optional(static_cast<std::size_t>(value)); },
           [&value](std::size_t number) { value = static_cast<E>(number); }};
 }
 
@@ -94,7 +94,9 @@ template <Worded E>
     if (!value) return std::nullopt;
     return static_cast<std::size_t>(*value);
   };
-  return {words_of<E>, number, [&value](std::size_t found) { value = static_cast<E>(found); }};
+  return {{words_of<E>.begin(), words_of<E>.end()}, number, [&value](std::size_t found) {
+            value = static_cast<E>(found);
+          }};
 }
 
 /// Where the value of a key lives.

@@ -102,7 +102,7 @@ void check_kirchhoff(std::vector<Verdict>& list, const Finished& run) {
   if (scene.check.exact != io::ExactAnswer::kirchhoff_ellipse) return;
   const HistoryRows& rows = run.rows;
   const flow::InitialSettings& i = *scene.initial;
-  const exact::KirchhoffEllipse ellipse{i.circulation, i.core, *i.core_across};
+  const exact::KirchhoffEllipse ellipse{i.circulation, i.core, i.number("core_across")};
   add(list, "rotation_max", scene.check.rotation_max, [&]() -> Reached {
     const Column angle = turned(rows), t = rows.column("t");
     if (angle.size() < 2) return rows.too_short();
@@ -114,7 +114,7 @@ namespace {
 
 exact::VortexPair pair_of(const io::Scene& scene) {
   const flow::InitialSettings& i = *scene.initial;
-  return {i.circulation, i.core, *i.separation, scene.flow.nu};
+  return {i.circulation, i.core, i.number("separation"), scene.flow.nu};
 }
 
 }  // namespace

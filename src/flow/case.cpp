@@ -56,30 +56,6 @@ void refuse_motion(const Case& of) {
                               of.motion->spin, word(of.body->shape)));
 }
 
-/// What a kind needs is there, and no more.
-void refuse_initial(const InitialSettings& initial) {
-  using enum InitialKind;
-  const InitialKind kind = initial.kind;
-  const auto belongs = [&](const char* key, const std::optional<double>& value, bool wanted) {
-    if (value.has_value() != wanted)
-      throw Refused(value ? fmt::format("initial.{}", key) : "initial",
-                    fmt::format("initial.kind is \"{}\"; that {} the key initial.{}", word(kind),
-                                wanted ? "needs" : "does not have", key));
-  };
-  belongs("core_across", initial.core_across,
-          kind == gaussian_ellipse || kind == kirchhoff_ellipse);
-  belongs("separation", initial.separation, kind == corotating_pair || kind == dipole);
-  belongs("perturbation", initial.perturbation, kind == tripole);
-  if (initial.circulation == 0)
-    throw Refused("initial.circulation",
-                  "initial.circulation is 0; there would be no vorticity to follow");
-  if (initial.spacing > 3)
-    throw Refused("initial.spacing",
-                  fmt::format("initial.spacing is {}; blobs more than 3 cores apart make no "
-                              "vortex; 1 is right",
-                              initial.spacing));
-}
-
 /// The keys that a shape has.
 void refuse_body(const body::BodySettings& body) {
   const auto belongs = [&](const char* key, const std::optional<double>& value, bool known,
@@ -157,7 +133,7 @@ void refuse_senseless(const Case& of) {
   if (of.body) refuse_body(*of.body);
   if (of.plunge) refuse_plunge(of);
   if (of.motion) refuse_motion(of);
-  if (of.initial) refuse_initial(*of.initial);
+  if (of.initial) refuse(*of.initial);
   if (of.body && !of.initial && speed_of(of) == 0)
     throw Refused("flow",
                   "nothing moves: a body needs a flow.stream, a [plunge], a motion.spin or "

@@ -62,7 +62,10 @@ std::array<double, 4> place_of_flow(const Case& of) {
         half);
   };
   if (of.body) add_moving(of.body->centre, body::half_extent(*of.body));
-  if (of.initial) add_moving(of.initial->centre, half_extent(*of.initial));
+  if (of.initial) {
+    const auto [x, y] = half_extent(*of.initial);
+    add_moving(of.initial->centre, {x, y});
+  }
   return all;
 }
 

@@ -40,40 +40,12 @@ Origin origin_of(const VortexCase& scene) {
   return {scene.initial ? vec(scene.initial->centre) : Vec2{}, vec(scene.flow.stream)};
 }
 
-/// One vortex on the left, and one of circulation `right` on the right.
-Blobs two_vortices(Lattice lattice, const flow::InitialSettings& i, double right) {
-  const Vec2 half{0.5 * *i.separation, 0};
-  const Vec2 centre = lattice.centre;
-  lattice.centre = centre - half;
-  Blobs both = gaussian_ellipse(lattice, i.circulation, i.core, i.core);
-  lattice.centre = centre + half;
-  const Blobs other = gaussian_ellipse(lattice, right, i.core, i.core);
-  for (std::size_t k = 0; k < other.size(); ++k)
-    both.append(other.centre(k), other.gamma[k], other.sigma[k]);
-  return both;
-}
-
 /// The vorticity at t = 0, as seen from the flow's origin.
 Blobs initial_blobs(const VortexCase& scene) {
   if (!scene.initial) return {};
   const flow::InitialSettings& i = *scene.initial;
-  const Lattice lattice{vec(i.centre) - origin_of(scene).start, scene.cores.sigma_0,
-                        i.spacing * scene.cores.sigma_0, i.faintest};
-  switch (i.kind) {
-    case flow::InitialKind::gaussian_ellipse:
-      return gaussian_ellipse(lattice, i.circulation, i.core, *i.core_across);
-    case flow::InitialKind::kirchhoff_ellipse:
-      return uniform_ellipse(lattice, i.circulation, i.core, *i.core_across);
-    case flow::InitialKind::corotating_pair:
-      return two_vortices(lattice, i, i.circulation);
-    case flow::InitialKind::dipole:
-      return two_vortices(lattice, i, -i.circulation);
-    case flow::InitialKind::tripole:
-      return perturbed_vortex(lattice, i.circulation, i.core, *i.perturbation);
-    case flow::InitialKind::lamb_oseen:
-      break;
-  }
-  return gaussian_ellipse(lattice, i.circulation, i.core, i.core);
+  const double sigma_0 = scene.cores.sigma_0;
+  return cut({vec(i.centre) - origin_of(scene).start, sigma_0, i.spacing * sigma_0, i.faintest}, i);
 }
 
 }  // namespace

@@ -1,30 +1,62 @@
 #include "flow/initial/settings.hpp"
 
-namespace vortree::flow {
+#include "tree/base/told.hpp"
 
-std::vector<Key> keys(InitialSettings& initial) {
-  return {
-      key("kind", initial.kind,
-          "the vorticity at t = 0: a Gaussian vortex, an elliptic one, a uniform ellipse, two "
-          "alike, "
-          "two of opposite signs that travel along +y, one times a quadrupole"),
-      key("circulation", initial.circulation, required(anything), "L^2/T",
-          "of the vortex, or of each of two, the left one if they are opposite"),
-      key("core", initial.core, required(positive), "L",
-          "width of the vortex, or of each of two; of an ellipse half of it along x; Gaussians are "
-          "wider than sigma_0"),
-      key("spacing", initial.spacing, positive, "sigma_0",
-          "distance of the blobs that the vorticity is cut into"),
-      key("centre", initial.centre, anything, "L", "place [x, y] of its centre"),
-      key("core_across", initial.core_across, positive, "L",
-          "the same along y: gaussian_ellipse and kirchhoff_ellipse need it"),
-      key("separation", initial.separation, positive, "L",
-          "distance of two vortices along x: corotating_pair and dipole need it"),
-      key("perturbation", initial.perturbation, anything, "",
-          "a tripole, which needs it, is the vortex times 1 + perturbation (x^2 - y^2)/core^2"),
+namespace vortree::flow {
+namespace {
+
+/// "lamb_oseen: a Gaussian vortex; ..."
+std::string meanings(InitialFlows known) {
+  std::string words;
+  for (const InitialFlow* one : known)
+    words.append(words.empty() ? "" : "; ").append(one->name).append(": ").append(one->says);
+  return words;
+}
+
+/// What all kinds have, between the kind and the numbers of its own.
+std::vector<Key> common(InitialSettings& initial) {
+  return {key("circulation", initial.circulation, required(anything), "L^2/T",
+              "of the vortex, or of each of two, the left one if they are opposite"),
+          key("core", initial.core, required(positive), "L",
+              "width of the vortex, or of each of two; of an ellipse half of it along x; Gaussians "
+              "are wider than sigma_0"),
+          key("spacing", initial.spacing, positive, "sigma_0",
+              "distance of the blobs that the vorticity is cut into"),
+          key("centre", initial.centre, anything, "L", "place [x, y] of its centre")};
+}
+
+}  // namespace
+
+std::vector<Key> keys(InitialSettings& initial, InitialFlows known) {
+  std::vector<Key> all =
+      keys_of(as_kinds(known), "kind", "the vorticity at t = 0; " + meanings(known),
+              one_of(known, initial.kind), initial.numbers);
+  const std::vector<Key> between = common(initial);
+  all.insert(all.begin() + 1, between.begin(), between.end());
+  all.push_back(
       key("faintest", initial.faintest,
           {.low = 0, .high = 0.1, .above_low = true, .words = "it must lie between 0 and 0.1"}, "",
-          "blobs below this share of the strongest are left out")};
+          "blobs below this share of the strongest are left out"));
+  return all;
+}
+
+double InitialSettings::number(std::string_view name) const {
+  return number_of(*kind, numbers, name);
+}
+
+void refuse(const InitialSettings& initial) {
+  hold_dimensions(*initial.kind, "initial", "kind", initial.numbers);
+  if (initial.circulation == 0)
+    throw Refused("initial.circulation",
+                  "initial.circulation is 0; there would be no vorticity to follow");
+  if (initial.spacing > 3)
+    throw Refused("initial.spacing", "initial.spacing is " + tree::told(initial.spacing) +
+                                         "; blobs more than 3 cores apart make no vortex; 1 is "
+                                         "right");
+}
+
+void refuse(const InitialSettings& initial, double sigma_0) {
+  initial.kind->hold(initial, sigma_0);
 }
 
 }  // namespace vortree::flow

@@ -1,56 +1,44 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <string_view>
 #include <vector>
 
 #include "base/keys.hpp"
+#include "flow/initial/initial_flow.hpp"
+
+// The table [initial] of a scene.
 
 namespace vortree::flow {
 
-/// The vorticity that a scene can begin with.
-enum class InitialKind {
-  lamb_oseen,
-  gaussian_ellipse,
-  kirchhoff_ellipse,
-  corotating_pair,
-  dipole,
-  tripole
-};
-
-}  // namespace vortree::flow
-
-namespace vortree {
-
-template <>
-inline constexpr std::array<std::string_view, 6> words_of<flow::InitialKind>{
-    "lamb_oseen", "gaussian_ellipse", "kirchhoff_ellipse", "corotating_pair", "dipole", "tripole"};
-
-}  // namespace vortree
-
-namespace vortree::flow {
-
-/// The vorticity at t = 0 around `centre`, cut into blobs `spacing` sigma_0 apart; those below
-/// `faintest` of the strongest are left out.
-///
-/// lamb_oseen         a Gaussian vortex of width core > sigma_0
-/// gaussian_ellipse   half widths core along x and core_across along y
-/// kirchhoff_ellipse  uniform vorticity within half axes core and core_across
-/// corotating_pair    two Gaussian vortices, each of `circulation`, `separation` apart along x
-/// dipole             the same, of opposite signs; it travels along +y
-/// tripole            a Gaussian vortex times 1 + perturbation (x^2 - y^2)/core^2
+/// The vorticity at t = 0 around `centre`. Vortex blobs that it is cut into lie `spacing` sigma_0
+/// apart; those below `faintest` of the strongest are left out. `numbers` are those that the kind
+/// has beside circulation and core.
 struct InitialSettings {
-  InitialKind kind = InitialKind::lamb_oseen;
+  const InitialFlow* kind = initial_flows().front();
   double circulation = 1;
   double core = 0;
   double spacing = 1;
   std::array<double, 2> centre{0, 0};
-  std::optional<double> core_across{}, separation{}, perturbation{};
+  Dimensions numbers = initial_numbers();
   double faintest = 1e-12;
+
+  /// One of its numbers.
+  /// throws  std::invalid_argument if it is not written
+  double number(std::string_view name) const;
+
   bool operator==(const InitialSettings&) const = default;
 };
 
-[[nodiscard]] std::vector<Key> keys(InitialSettings&);
+/// Its keys, in the order in which they are read and printed, if these kinds are known.
+[[nodiscard]] std::vector<Key> keys(InitialSettings& initial, InitialFlows known = initial_flows());
+
+/// throws  Refused if a number lacks that the kind needs, or is there that it does not have; without
+///         circulation; with blobs more than three cores apart
+void refuse(const InitialSettings& initial);
+
+/// The same once cores are known.
+/// throws  Refused if cores of sigma_0 cannot make up a flow of this kind: Gaussians are wider, two
+///         vortices between one core and 1e5 of them apart
+void refuse(const InitialSettings& initial, double sigma_0);
 
 }  // namespace vortree::flow

@@ -122,17 +122,17 @@ namespace {
 using Number = std::optional<double>;
 
 /// The largest or the mean deviation that is allowed.
-Key most(std::string_view name, Number& target, std::string_view says) {
-  return key(name, target, positive, "", says);
+Key most(std::string_view name, Number& target, std::string says) {
+  return key(name, target, positive, "", std::move(says));
 }
 
 /// T = 2 U t/D beside a body, t in free space.
-Key from(std::string_view name, Number& target, std::string_view says) {
-  return key(name, target, not_negative, "", says);
+Key from(std::string_view name, Number& target, std::string says) {
+  return key(name, target, not_negative, "", std::move(says));
 }
 
-Key file(std::string_view name, std::optional<std::string>& target, std::string_view says) {
-  return key(name, target, anything, "", says);
+Key file(std::string_view name, std::optional<std::string>& target, std::string says) {
+  return key(name, target, anything, "", std::move(says));
 }
 
 std::vector<Key> against_references(CheckSettings& c) {

@@ -33,7 +33,7 @@ void check_exact(const Document& document, const Scene& scene) {
       scene.motion && !scene.plunge && !scene.initial && flow::speed_of_stream(scene) == 0;
   if (exact == ExactAnswer::spinning_cylinder
           ? spins
-          : scene.initial && word(scene.initial->kind) == word(exact))
+          : scene.initial && scene.initial->kind->name == word(exact))
     return;
   document.refuse(
       "check.exact",

@@ -27,27 +27,17 @@ double multiplied_in(const VortexCase& scene, double time) {
   return std::pow(scene.splitting.children, std::floor(generations(scene, time)));
 }
 
-/// Blobs of the lattice that the initial vorticity is cut into.
-double lattice_blobs(const VortexCase& scene) {
-  const flow::InitialSettings& i = *scene.initial;
-  const double h = i.spacing * scene.cores.sigma_0, s2 = scene.cores.sigma_0 * scene.cores.sigma_0;
-  const double across = flow::across(i);
-  const double vortices = i.separation ? 2 : 1;
-  if (i.kind == flow::InitialKind::kirchhoff_ellipse)
-    return std::numbers::pi * (i.core + h) * (across + h) / (h * h);
-  const double p = std::sqrt(i.core * i.core - s2), q = std::sqrt(across * across - s2);
-  return vortices * (std::numbers::pi * p * q * -std::log(i.faintest) / (h * h) + 1);
-}
-
 double free_blobs(const VortexCase& scene) {
   const flow::InitialSettings& i = *scene.initial;
-  const double start = lattice_blobs(scene), most2 = scene.cores.sigma_max * scene.cores.sigma_max;
+  const double start = lattice_blobs(i, scene.cores.sigma_0),
+               most2 = scene.cores.sigma_max * scene.cores.sigma_max;
   if (!spreads_cores(scene)) return start;
   if (scene.merging.tolerance == 0) return start * multiplied_in(scene, scene.time.end);
-  const double across = flow::across(i), vortices = i.separation ? 2 : 1;
+  const auto [along, across] = flow::half_widths(i);
+  const auto vortices = static_cast<double>(flow::vortices(i));
   const double spread = 4 * scene.flow.nu * scene.time.end;
   const double area = std::numbers::pi *
-                      std::sqrt((i.core * i.core + spread) * (across * across + spread)) *
+                      std::sqrt((along * along + spread) * (across * across + spread)) *
                       -std::log(i.faintest);
   return std::max(start, crowding(scene) * vortices * area / most2);
 }
@@ -103,7 +93,7 @@ std::size_t blobs_in(double bytes) {
 Cost cost_of(const VortexCase& scene) {
   Cost c{.steps = scene.time.end / scene.time.dt};
   const double panels = scene.body ? scene.body->panels : 0;
-  const double start = scene.initial ? lattice_blobs(scene) : 0;
+  const double start = scene.initial ? lattice_blobs(*scene.initial, scene.cores.sigma_0) : 0;
   c.blobs = scene.body ? wall_blobs(scene, c.steps) + start : free_blobs(scene);
   // The matrix is there twice while it is cut into factors.
   c.wall_bytes = 2 * 8 * (panels + 1) * (panels + 1);
@@ -144,12 +134,13 @@ void refuse_beyond(const VortexCase& scene, double memory) {
     refuse("body.panels", fmt::format("body.panels is {}; the wall's matrix would take {}",
                                       scene.body->panels, size(c.wall_bytes)));
   if (const double most = std::min<double>(blobs_in(memory), flow::most_particles);
-      scene.initial && lattice_blobs(scene) > most)
+      scene.initial && lattice_blobs(*scene.initial, scene.cores.sigma_0) > most)
     throw Refused(
         "initial.spacing",
         fmt::format("initial.spacing {} and cores.sigma_0 {} cut the vortex into {:.3g} blobs; "
                     "this machine holds {:.2g}",
-                    scene.initial->spacing, scene.cores.sigma_0, lattice_blobs(scene), most));
+                    scene.initial->spacing, scene.cores.sigma_0,
+                    lattice_blobs(*scene.initial, scene.cores.sigma_0), most));
   if (const double picture = bytes_a_point * picture_points(scene.output); picture > memory)
     refuse("output.field_spacing",
            fmt::format("output.field_spacing {} makes pictures of {:.2g} points and {}",

@@ -21,31 +21,6 @@ Pair seen_from(const Pair& at, const Pair& from) {
   return {at[0] - from[0], at[1] - from[1]};
 }
 
-void hold_pair(const flow::InitialSettings& initial, double sigma_0) {
-  if (!initial.separation || sigma_0 == 0) return;
-  const double apart = *initial.separation;
-  if (apart < sigma_0)
-    throw Refused("initial.separation",
-                  fmt::format("initial.separation is {}; two vortices are at least a core, "
-                              "cores.sigma_0 = {}, apart",
-                              apart, sigma_0));
-  if (apart > 1e5 * sigma_0)
-    throw Refused("initial.separation",
-                  fmt::format("initial.separation is {}; vortices of cores.sigma_0 = {} can be "
-                              "{} apart at most",
-                              apart, sigma_0, 1e5 * sigma_0));
-}
-
-/// Widths are those of Gaussians that blobs can make up.
-void hold_widths(const flow::InitialSettings& initial, double sigma_0) {
-  if (initial.kind == flow::InitialKind::kirchhoff_ellipse) return;
-  for (const auto& [key, width] : {std::pair{"initial.core", std::optional(initial.core)},
-                                   std::pair{"initial.core_across", initial.core_across}})
-    if (width && !(*width > sigma_0))
-      throw Refused(key,
-                    fmt::format("{} is {}; it must be > cores.sigma_0 = {}", key, *width, sigma_0));
-}
-
 /// What several keys must fulfil together.
 void hold_together(const VortexCase& scene) {
   const CoreSettings& cores = scene.cores;
@@ -53,7 +28,7 @@ void hold_together(const VortexCase& scene) {
     throw Refused("cores.sigma_max",
                   fmt::format("cores.sigma_max is {}; it must be >= cores.sigma_0 = {}",
                               cores.sigma_max, cores.sigma_0));
-  if (scene.initial) hold_widths(*scene.initial, cores.sigma_0);
+  if (scene.initial) flow::refuse(*scene.initial, cores.sigma_0);
   if (scene.body && scene.diffusion.kind != Diffusion::core_spreading)
     throw Refused("diffusion.kind",
                   fmt::format("diffusion.kind is \"{}\"; beside a body vorticity diffuses by "
@@ -146,7 +121,6 @@ void hold_box(const std::array<double, 4>& box, const Pair& centre, const Pair& 
 
 void refuse_senseless(const VortexCase& scene) {
   hold_together(scene);
-  if (scene.initial) hold_pair(*scene.initial, scene.cores.sigma_0);
   if (scene.initial && scene.body) hold_distance(scene);
   if (scene.body) hold_cores(scene);
   hold_steps(scene);
@@ -154,9 +128,10 @@ void refuse_senseless(const VortexCase& scene) {
   if (!scene.merging.box) return;
   if (scene.body)
     hold_box(*scene.merging.box, scene.body->centre, body::half_extent(*scene.body), "the body");
-  if (scene.initial)
-    hold_box(*scene.merging.box, scene.initial->centre, flow::half_extent(*scene.initial),
-             "the initial vorticity");
+  if (scene.initial) {
+    const auto [x, y] = flow::half_extent(*scene.initial);
+    hold_box(*scene.merging.box, scene.initial->centre, {x, y}, "the initial vorticity");
+  }
 }
 
 }  // namespace vortree::vortex

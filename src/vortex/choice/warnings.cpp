@@ -106,32 +106,15 @@ void doubt_initial(List& list, const flow::InitialSettings& i, double core) {
         fmt::format("initial.spacing = {:.2g}: blobs so many cores apart leave gaps, an error of "
                     "{:.1g} of the vorticity from the start; 1 leaves 2e-4",
                     i.spacing, 4 * std::exp(-std::pow(std::numbers::pi / i.spacing, 2))));
-  const double thin = flow::least_width(i);
-  if (i.kind == flow::InitialKind::kirchhoff_ellipse && core > 0.3 * thin)
-    list.push_back(
-        fmt::format("cores.sigma_0 = {:.3g}: the vortex's edge is as wide, and its half width is "
-                    "{:.3g}; {:.2g} "
-                    "is right",
-                    core, thin, 0.1 * thin));
   if (i.faintest > 0.02)
     list.push_back(fmt::format(
         "initial.faintest = {:.2g}: so much of the vortex is left out around it; 1e-6 is right",
         i.faintest));
-  if (i.separation && *i.separation < 2 * i.core)
-    list.push_back(fmt::format(
-        "initial.separation = {:.3g}: two vortices of width {:.3g} so near are one from the start; "
-        "{:.2g} parts them",
-        *i.separation, i.core, 5 * i.core));
-  if (std::abs(i.perturbation.value_or(0)) > 2)
-    list.push_back(fmt::format(
-        "initial.perturbation = {:.3g}: the vortex is less than what perturbs it; 0.1 to 1 is "
-        "right",
-        *i.perturbation));
+  for (std::string& doubt : i.kind->doubts(i, core)) list.push_back(std::move(doubt));
 }
 
 void doubt_vortex(List& list, const VortexCase& scene) {
-  const flow::InitialSettings& i = *scene.initial;
-  const double width = flow::least_width(i);
+  const double width = flow::least_width(*scene.initial);
   const double turn = turn_of_vortex(scene);
   const double most = scene.time.scheme == flow::Scheme::rk4 ? 1 : 0.5;
   if (turn > most)
