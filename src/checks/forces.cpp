@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "exact/cylinder_drag.hpp"
 #include "io/tables/table.hpp"
 
 namespace vortree::checks {
@@ -46,6 +47,19 @@ Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const 
   return {share(*apart.value, *most.value)};
 }
 
+/// Means, as the drag of a step jumps where blobs of one release all split.
+Reached early_drag_off(const Finished& run) {
+  constexpr double end = 0.1 + 1e-9;
+  const Column &T = run.rows.T(), drag = run.rows.column("cd_impulse");
+  if (T.empty() || T.back() < 0.1 - 1e-9) return run.rows.too_short();
+  const double reynolds = run.scales.speed * *run.scene.body->radius / run.scene.flow.nu;
+  double ours = 0, exact = 0;
+  for (std::size_t r = 0; r < T.size() && T[r] < end; ++r)
+    ours += drag[r], exact += exact::short_time_cylinder_drag(reynolds, T[r]);
+  if (exact == 0) return {.value = {}, .why = "the first step ends after T = 0.1"};
+  return {std::abs(deviation(ours, exact))};
+}
+
 }  // namespace
 
 void check_drag(std::vector<Verdict>& list, const Finished& run) {
@@ -65,6 +79,10 @@ void check_drag(std::vector<Verdict>& list, const Finished& run) {
     return rows.largest(c.separation_from,
                         off(rows, "separation_deg", {reference, "sep_deg"}, difference));
   });
+}
+
+void check_early_drag(std::vector<Verdict>& list, const Finished& run) {
+  add(list, "early_drag_max", run.scene.check.early_drag_max, [&] { return early_drag_off(run); });
 }
 
 void check_forces(std::vector<Verdict>& list, const Finished& run) {

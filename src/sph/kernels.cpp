@@ -1,77 +1,26 @@
 #include "sph/kernels.hpp"
 
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <stdexcept>
 #include <string>
+
+#include "sph/kernel_shapes.hpp"
 
 namespace vortree::sph {
 namespace {
 
 using std::numbers::pi;
 
-double power(double base, int exponent) {
+double raised(double base, int exponent) {
   double product = 1;
   for (; exponent > 0; --exponent) product *= base;
   return product;
 }
 
-struct ValueAndSlope {
-  double value, slope;
-};
-
-// c[0] + c[1] q + c[2] q^2 + ...
-ValueAndSlope polynomial(std::initializer_list<double> c, double q) {
-  ValueAndSlope p{0, 0};
-  for (auto k = std::rbegin(c); k != std::rend(c); ++k) {
-    p = {p.value * q + *k, p.slope * q + p.value};
-  }
-  return p;
-}
-
-// (1 - q/2)^n times a polynomial, q < 2.
-ValueAndSlope wendland(int n, std::initializer_list<double> c, double q) {
-  const auto p = polynomial(c, q);
-  const double t = 1 - q / 2, below = power(t, n - 1);
-  return {below * t * p.value, below * (t * p.slope - 0.5 * n * p.value)};
-}
-
-// sum_k weight_k (edge_k - q)^n, terms beyond their edge zero.
-ValueAndSlope spline(int n, double edge, std::initializer_list<double> weights, double q) {
-  ValueAndSlope sum{0, 0};
-  for (const double weight : weights) {
-    const double t = edge - q;
-    if (t <= 0) break;
-    sum.value += weight * power(t, n);
-    sum.slope -= weight * n * power(t, n - 1);
-    edge -= 1;
-  }
-  return sum;
-}
-
-ValueAndSlope evaluate(Kernel kernel, int d, double q) {
-  if (q >= support(kernel)) return {0, 0};
-  switch (kernel) {
-    case Kernel::wendland_c2:
-      return d == 1 ? wendland(3, {1, 1.5}, q) : wendland(4, {1, 2}, q);
-    case Kernel::wendland_c4:
-      return d == 1 ? wendland(5, {1, 2.5, 2}, q) : wendland(6, {1, 3, 35.0 / 12}, q);
-    case Kernel::wendland_c6:
-      return d == 1 ? wendland(7, {1, 3.5, 4.75, 2.625}, q) : wendland(8, {1, 4, 6.25, 4}, q);
-    case Kernel::cubic_spline:
-      return spline(3, 2, {1, -4}, q);
-    case Kernel::quintic_spline:
-      return spline(5, 3, {1, -6, 15}, q);
-    case Kernel::gaussian:
-      return {std::exp(-q * q), -2 * q * std::exp(-q * q)};
-    case Kernel::quadratic:
-      return polynomial({1, -1, 0.25}, q);
-    default: {
-      const double t = 1 - q;
-      return {(1 + 3 * q) * t * t * t, -12 * q * t * t};
-    }
-  }
+template <class Use>
+double of_shape(Kernel kernel, int dimensions, const Use& use) {
+  return dimensions == 1 ? with_shape<1>(kernel, use) : with_shape<2>(kernel, use);
 }
 
 // What a Gaussian cut off at q = 3 still integrates to.
@@ -92,15 +41,7 @@ std::string_view name_of(Kernel kernel) {
 }
 
 double support(Kernel kernel) {
-  switch (kernel) {
-    case Kernel::quintic_spline:
-    case Kernel::gaussian:
-      return 3;
-    case Kernel::bell:
-      return 1;
-    default:
-      return 2;
-  }
+  return with_shape<2>(kernel, [](auto shape) { return shape.support; });
 }
 
 double norm(Kernel kernel, int dimensions) {
@@ -132,19 +73,19 @@ double norm(Kernel kernel, int dimensions) {
 }
 
 double shape(Kernel kernel, int dimensions, double q) {
-  return evaluate(kernel, dimensions, q).value;
+  return of_shape(kernel, dimensions, [=](auto shape) { return shape.shape(q); });
 }
 
 double slope(Kernel kernel, int dimensions, double q) {
-  return evaluate(kernel, dimensions, q).slope;
+  return q * of_shape(kernel, dimensions, [=](auto shape) { return shape.slope_over_q(q); });
 }
 
 double value(Kernel kernel, int dimensions, double r, double h) {
-  return norm(kernel, dimensions) * shape(kernel, dimensions, r / h) / power(h, dimensions);
+  return norm(kernel, dimensions) * shape(kernel, dimensions, r / h) / raised(h, dimensions);
 }
 
 double derivative(Kernel kernel, int dimensions, double r, double h) {
-  return norm(kernel, dimensions) * slope(kernel, dimensions, r / h) / power(h, dimensions + 1);
+  return norm(kernel, dimensions) * slope(kernel, dimensions, r / h) / raised(h, dimensions + 1);
 }
 
 }  // namespace vortree::sph

@@ -1,8 +1,12 @@
-"""Do two builds give the same numbers, bit for bit?    python3 same.py OLD NEW [FOLDER]
+"""Do two builds give the same numbers, bit for bit?    python3 same.py [OLD] NEW
 
 Runs both programs on eight short scenes and on sets of particles, and compares all that a run has
 left but for seconds (tests/faults/contents.py), velocities by each method, and neighbor lists by
-each rule. Of a frame's state what is there of the flow counts, not how a version books the rest. Prints a line for each, and ends with exit code 1 if anything differs.
+each rule. Of a frame's state what is there of the flow counts, not how a version books the rest.
+Prints a line for each, and ends with exit code 1 if anything differs.
+
+Without OLD that is the program that VORTREE_BASELINE names; where it names none there is nothing to
+compare, and the exit code is 77. notices.py asks whether it would notice.
 """
 
 import os
@@ -20,6 +24,7 @@ sys.dont_write_bytecode = True
 import contents  # noqa: E402
 
 CASES = TESTS.parent / "cases"
+NOTHING_TO_COMPARE = 77
 SCENES = [
     ("cylinder_re550_quick", "time.end=0.3"),
     ("cylinder", "time.end=0.2"),
@@ -69,7 +74,8 @@ def left(folder):
     """What a command has left: a run, or a file of arrays."""
     if (folder / "run").exists():
         return run_left(folder / "run")
-    return {path.name: arrays(path) for path in folder.glob("*.h5")}
+    found = {path.name: arrays(path) for path in folder.glob("*.h5")}
+    return found or sys.exit(f"{folder}: nothing is left there")
 
 
 def particles(path, count, cored, seed):
@@ -96,20 +102,27 @@ def jobs(folder):
         yield f"neighbors {' '.join(words)}", ["neighbors", str(path), "--out", "pairs.h5", *words]
 
 
+def difference(programs, words, base):
+    """In words, the first one; empty if there is none."""
+    folders = [pathlib.Path(tempfile.mkdtemp(dir=base)) for _ in programs]
+    for program, folder in zip(programs, folders):
+        call(program, words, folder)
+    return contents.difference(*map(left, folders))
+
+
 def main():
-    programs = [str(pathlib.Path(p).resolve()) for p in sys.argv[1:3]]
-    base = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else tempfile.mkdtemp())
-    base.mkdir(parents=True, exist_ok=True)
+    programs = sys.argv[1:]
+    if len(programs) == 1:
+        programs.insert(0, os.environ.get("VORTREE_BASELINE") or sys.exit(NOTHING_TO_COMPARE))
+    programs = [str(pathlib.Path(p).resolve()) for p in programs]
     differ = 0
-    for number, (title, words) in enumerate(jobs(base)):
-        folders = [base / f"{number}_{which}" for which in ("old", "new")]
-        for program, folder in zip(programs, folders):
-            folder.mkdir()
-            call(program, words, folder)
-        found = contents.difference(*map(left, folders))
-        differ += bool(found)
-        print(f"differs {title}: {found}" if found else f"same    {title}", flush=True)
+    with tempfile.TemporaryDirectory() as base:
+        for title, words in jobs(pathlib.Path(base)):
+            found = difference(programs, words, base)
+            differ += bool(found)
+            print(f"differs {title}: {found}" if found else f"same    {title}", flush=True)
     sys.exit(differ > 0)
 
 
-main()
+if __name__ == "__main__":
+    main()

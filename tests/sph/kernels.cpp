@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "papers.hpp"
+
 using namespace vortree;
 using sph::every_kernel;
 using sph::Kernel;
@@ -47,6 +49,21 @@ TEST_CASE("every kernel integrates to one in 1, 2 and 3 dimensions, at any h") {
         });
         CHECK(whole == Approx(1).epsilon(1e-13));
       }
+    }
+  }
+}
+
+TEST_CASE("in the plane every kernel and its derivative are those of its paper") {
+  // Some ten units of round-off of the larger of the two, which is about one; in the slope of
+  // quintic_spline terms of 960 cancel to 66.
+  constexpr double rounding = 1e-14;
+  for (const Kernel kernel : every_kernel) {
+    for (double r = 0.01; r < 4; r += 0.0101) {
+      CAPTURE(sph::name_of(kernel), r);
+      const double h = 1.3, reach = sph::support(kernel) * h;
+      const test::Printed paper = test::printed(kernel, r, reach);
+      REQUIRE(std::abs(sph::value(kernel, 2, r, h) - paper.value(reach)) < rounding);
+      REQUIRE(std::abs(sph::derivative(kernel, 2, r, h) - paper.derivative(reach)) < rounding);
     }
   }
 }

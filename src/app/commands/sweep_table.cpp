@@ -8,10 +8,10 @@
 #include <limits>
 #include <sstream>
 
-#include "base/provenance.hpp"
 #include "checks/convergence.hpp"
 #include "io/files.hpp"
 #include "io/tables/table.hpp"
+#include "provenance/provenance.hpp"
 
 namespace vortree::app {
 namespace {

@@ -14,9 +14,9 @@
 #include <tuple>
 #include <vector>
 
-#include "base/provenance.hpp"
 #include "bench/measures/anchors.hpp"
 #include "bench/measures/neighbor_measure.hpp"
+#include "provenance/provenance.hpp"
 
 namespace vortree::bench {
 namespace {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "base/clock.hpp"
-#include "base/provenance.hpp"
 #include "bench/rivals/neighbors/cell_lists.hpp"
 #include "bench/sets/particle_sets.hpp"
 #include "bench/sets/point_sets.hpp"
+#include "provenance/provenance.hpp"
 #include "sph/resolution.hpp"
 #include "sph/sums.hpp"
 #include "tree/neighbors/verlet_list.hpp"

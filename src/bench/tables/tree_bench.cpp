@@ -12,10 +12,10 @@
 #include <stdexcept>
 
 #include "base/clock.hpp"
-#include "base/provenance.hpp"
 #include "bench/measures/anchors.hpp"
 #include "bench/measures/tree_contest.hpp"
 #include "bench/rivals/trees/tree_rivals.hpp"
+#include "provenance/provenance.hpp"
 
 namespace vortree::bench {
 namespace {

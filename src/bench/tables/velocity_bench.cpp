@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "base/provenance.hpp"
 #include "bench/measures/anchors.hpp"
 #include "bench/measures/measure.hpp"
 #include "bench/tables/velocity_row.hpp"
+#include "provenance/provenance.hpp"
 
 namespace vortree::bench {
 namespace {

@@ -43,7 +43,7 @@ namespace vortree::io {
 /// *_reference   files as written, relative to the folder of the scene: see reference_path
 struct CheckSettings {
   std::optional<std::string> drag_reference{};
-  std::optional<double> drag_max{}, drag_rms{}, drag_from{};
+  std::optional<double> drag_max{}, drag_rms{}, drag_from{}, early_drag_max{};
   std::optional<std::string> wall_vorticity_reference{};
   std::optional<double> wall_vorticity_max{}, wall_vorticity_rms{}, wall_vorticity_from{};
   std::optional<double> bubble_max{}, bubble_from{};

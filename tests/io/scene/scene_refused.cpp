@@ -196,6 +196,18 @@ TEST_CASE("what a check asks has something that it is held against, or is refuse
        {"lift_max", "routes_max", "lift_routes_max", "vorticity_max", "velocity_max",
         "rotation_max", "merger_max", "speed_max", "quadrupole_max", "separation_max"})
     CHECK_THAT(asked(plain, key), StartsWith("command line: check." + std::string(key)));
+  const std::vector<std::vector<std::string>> unlike{
+      {"motion.spin=1"},
+      {"body.shape=ellipse", "body.across=0.2"},
+      {"plunge.amplitude=0.1", "plunge.frequency=0.5"},
+      {"initial.kind=lamb_oseen", "initial.circulation=0.1", "initial.core=0.1",
+       "initial.centre=[2,0]"}};
+  for (std::vector<std::string> words : unlike) {
+    words.push_back("check.early_drag_max=0.01");
+    CHECK_THAT(refused(body, words),
+               EndsWith("that needs a circle at rest in a flow.stream, and no [initial]"));
+  }
+  CHECK(parse(body, {"check.early_drag_max=0.01"}).check.early_drag_max == 0.01);
   CHECK(parse(plain, {"check.energy_max=0.01"}).check.energy_max == 0.01);
   CHECK(parse(body, {"check.lift_max=0.01"}).check.lift_max == 0.01);
 }

@@ -1,4 +1,4 @@
-#include "base/provenance.hpp"
+#include "provenance/provenance.hpp"
 
 #include <sys/utsname.h>
 #include <unistd.h>
