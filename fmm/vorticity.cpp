@@ -25,7 +25,7 @@ struct Peaks {
 
 /// Sources within reach of a leaf's box.
 void collect(const Peaks& peaks, const CellShapes& targets, std::size_t leaf, double reach2,
-             Packed& near) {
+             PackedSources& near) {
   const CellShapes& shapes = peaks.at.shapes;
   const SortedPoints& points = peaks.at.points;
   std::vector<std::uint32_t> open{0};
@@ -55,7 +55,7 @@ void collect(const Peaks& peaks, const CellShapes& targets, std::size_t leaf, do
 }
 
 /// exp(-q) = 1 - core(q): the error is the last bit of the peak.
-double sum_at(const Packed& near, double x, double y) {
+double sum_at(const PackedSources& near, double x, double y) {
   Lanes omega{};
   for (std::size_t j = 0; j < near.size(); j += lane_count) {
     const Lanes dx = x - load(near.x() + j), dy = y - load(near.y() + j);
@@ -104,7 +104,7 @@ void vorticity(const Blobs& blobs, tree::Points targets, std::span<double> omega
   const auto leaves = at.tree.childless();
 #pragma omp parallel
   {
-    Packed near;
+    PackedSources near;
 #pragma omp for schedule(dynamic)
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       collect(peaks, at.shapes, leaves[k], std::log(1.0 / tolerance), near);

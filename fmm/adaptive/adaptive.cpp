@@ -98,7 +98,7 @@ void Adaptive::grow(const Blobs& blobs) {
 void Adaptive::list() {
   const auto cells = tree_.cells();
   if (!leaves_.cored()) {
-    lists_ = Lists(tree_, few, {});
+    lists_ = InteractionLists(tree_, few, {});
     return;
   }
   core_.resize(cells.size());
@@ -114,7 +114,7 @@ void Adaptive::list() {
     most = std::max(most, core_[c]), least = std::min(least, least_core_[c]);
   }
   const double reach2 = core_reach2(options_.tolerance);
-  lists_ = Lists(tree_, few, [&](std::uint32_t a, std::uint32_t b, double gap) {
+  lists_ = InteractionLists(tree_, few, [&](std::uint32_t a, std::uint32_t b, double gap) {
     return reach2 * std::max(core_[a], core_[b]) <= gap * gap;
   });
   serves_ = near_pairs() <= most_near * static_cast<double>(leaves_.places());
@@ -136,7 +136,7 @@ double Adaptive::near_pairs() const {
 }
 
 Acceptance Adaptive::acceptance(bool cored) const {
-  return {.order = Order::fixed(order_.most),
+  return {.order = SeriesOrder::fixed(order_.most),
           .reach2 = cored ? core_reach2(options_.tolerance) : 0.0,
           .cores = options_.cores};
 }

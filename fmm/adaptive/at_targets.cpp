@@ -32,14 +32,14 @@ TargetBox around(const NearTargets& targets) {
 std::uint32_t Adaptive::holder(double x, double y) const {
   if (tree_.cells().empty()) return outside;
   const auto holds = [&](std::uint32_t c) {
-    const Frame& at = tree_.frame(c);
+    const CellFrame& at = tree_.frame(c);
     return std::abs((x - at.x) - at.x_rest) <= at.side / 2 &&
            std::abs((y - at.y) - at.y_rest) <= at.side / 2;
   };
   if (!holds(0)) return outside;
   std::uint32_t c = 0;
   while (true) {
-    const Frame& at = tree_.frame(c);
+    const CellFrame& at = tree_.frame(c);
     const int right = (x - at.x) - at.x_rest >= 0.0, upper = (y - at.y) - at.y_rest >= 0.0;
     const std::int32_t child = lists_.children(c)[right + 2 * upper];
     if (child == nobody) return c;
@@ -73,7 +73,7 @@ void Adaptive::find_sources(std::uint32_t cell, const TargetBox& box, const Acce
   while (!found.open.empty()) {
     const std::uint32_t c = found.open.back();
     found.open.pop_back();
-    const Frame& at = tree_.frame(c);
+    const CellFrame& at = tree_.frame(c);
     const double half = at.side / 2;
     const double gap_x = std::max(0.0, std::abs(at.x - box.x) - box.half_x - half);
     const double gap_y = std::max(0.0, std::abs(at.y - box.y) - box.half_y - half);
@@ -129,7 +129,7 @@ Lost Adaptive::lost_far(const FarErrors& errors, const FarField<Number>& far, st
   Lost lost;
   if (cell != outside) lost = errors.at(cell);
   for (const std::uint32_t c : found.series) {
-    const Frame& at = tree_.frame(c);
+    const CellFrame& at = tree_.frame(c);
     const double dx = std::max(0.0, std::abs(at.x - box.x) - box.half_x);
     const double dy = std::max(0.0, std::abs(at.y - box.y) - box.half_y);
     lost += errors.of_multipole(far.charges()[c], at.side, dx * dx + dy * dy);

@@ -18,12 +18,13 @@ Options resolve(Options options, const Blobs& blobs) {
   return options;
 }
 
-Growth grown(const Options& options) {
+TreeOptions grown(const Options& options) {
   return {options.capacity, options.finest_level, options.builder};
 }
 
-Order choose_order(const Options& options) {
-  return options.order > 0 ? Order::fixed(options.order) : Order::for_tolerance(options.tolerance);
+SeriesOrder choose_order(const Options& options) {
+  return options.order > 0 ? SeriesOrder::fixed(options.order)
+                           : SeriesOrder::for_tolerance(options.tolerance);
 }
 
 bool any_core(const Arrangement& made) {
@@ -53,7 +54,7 @@ Boxes::Boxes(const Blobs& blobs, const Units& units, const Options& options, con
       multipoles_(announced(phase, "upward", blobs_.tree), blobs_.shapes, blobs_.points, gamma_,
                   order_.most(), coarse(options_)) {}
 
-Growth Boxes::growth() const {
+TreeOptions Boxes::growth() const {
   return grown(options_);
 }
 

@@ -45,7 +45,7 @@ std::vector<BlockOfLeaves> gather_blocks(const tree::Quadtree& tree) {
 
 /// What it is expected to lose at a target.
 template <class Pair>
-Lost evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint32_t leaf,
+Lost evaluate_leaf(const ArrangedSources& sources, const Arrangement& targets, std::uint32_t leaf,
                    const Acceptance& acceptance, bool coarse, Scratch& scratch) {
   const tree::Range range = targets.tree.cells()[leaf].points;
   const TargetBox target = box(targets.shapes, leaf);
@@ -65,7 +65,7 @@ Lost evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint
 }
 
 template <class Pair>
-Expected evaluate_block(const Sources& sources, const Arrangement& targets,
+Expected evaluate_block(const ArrangedSources& sources, const Arrangement& targets,
                         const BlockOfLeaves& block, const Acceptance& acceptance, bool coarse,
                         Scratch& scratch, std::span<double> u, std::span<double> v) {
   const auto cells = targets.tree.cells();
@@ -94,7 +94,7 @@ Expected evaluate_block(const Sources& sources, const Arrangement& targets,
 }
 
 template <class Pair>
-Expected evaluate_with(const Sources& sources, const Arrangement& targets,
+Expected evaluate_with(const ArrangedSources& sources, const Arrangement& targets,
                        const Acceptance& acceptance, bool coarse, std::span<double> u,
                        std::span<double> v) {
   const std::vector<BlockOfLeaves> blocks = gather_blocks(targets.tree);
@@ -113,8 +113,9 @@ Expected evaluate_with(const Sources& sources, const Arrangement& targets,
 
 }  // namespace
 
-Expected evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
-                  bool coarse, std::span<double> u, std::span<double> v) {
+Expected evaluate(const ArrangedSources& sources, const Arrangement& targets,
+                  const Acceptance& acceptance, bool coarse, std::span<double> u,
+                  std::span<double> v) {
   if (acceptance.reach2 == 0.0) {
     return evaluate_with<BarePair>(sources, targets, acceptance, coarse, u, v);
   }
@@ -125,7 +126,8 @@ Expected evaluate(const Sources& sources, const Arrangement& targets, const Acce
   return expected;
 }
 
-Work count_work(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance) {
+Work count_work(const ArrangedSources& sources, const Arrangement& targets,
+                const Acceptance& acceptance) {
   Work work;
   Scratch scratch;
   const auto add = [&](std::span<const SeriesCell> series, std::uint64_t n) {

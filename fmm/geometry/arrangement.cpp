@@ -29,7 +29,7 @@ tree::Quadtree build(tree::MortonOrder order, const tree::SplitRule& rule, Build
                                      : tree::build_forward(std::move(order), rule);
 }
 
-Arrangement arrange(const Targets& points, const Units& units, const Growth& growth) {
+Arrangement arrange(const Targets& points, const Units& units, const TreeOptions& growth) {
   const auto position = [units](double x) { return units.position(x); };
   const auto core = [units](double sigma) { return units.squared_core(sigma); };
   const tree::Points places{points.x, points.y};

@@ -30,9 +30,9 @@ void move(double x, double rest, double step, double& moved, double& moved_rest)
   two_sum(sum, lost + rest, moved, moved_rest);
 }
 
-Frame child_frame(const Frame& parent, int quadrant) {
+CellFrame child_frame(const CellFrame& parent, int quadrant) {
   const double step = parent.side / 4;
-  Frame child;
+  CellFrame child;
   move(parent.x, parent.x_rest, quadrant % 2 == 0 ? -step : step, child.x, child.x_rest);
   move(parent.y, parent.y_rest, quadrant / 2 == 0 ? -step : step, child.y, child.y_rest);
   child.side = 2 * step;
@@ -40,10 +40,10 @@ Frame child_frame(const Frame& parent, int quadrant) {
 }
 
 /// Codes of the first n vortices of the order, at most `portion`, in the frame of their cell.
-void encode_in(const Frame& at, std::span<const Vortex> vortices,
+void encode_in(const CellFrame& at, std::span<const Vortex> vortices,
                std::span<const std::uint32_t> order, std::size_t n, tree::Key* keys) {
   constexpr std::size_t ahead = 32;  // places to ask memory for in advance
-  constexpr tree::kernel::Axis axis{-0.5, 0.5, 0x1p31};
+  constexpr tree::kernel::DomainAxis axis{-0.5, 0.5, 0x1p31};
   std::array<double, portion> x, y;
   const auto local = [&](double value, double centre, double rest) {
     return std::clamp(((value - centre) - rest) / at.side, -0.5, 0.5);
@@ -110,7 +110,7 @@ void DeepTree::set_frames(int from, const tree::Domain& domain, const Units& uni
   frames_.resize(cells_.size());
   if (from == 0) {
     const double half = domain.side / 2 * units.per_length;
-    Frame& root = frames_[0];
+    CellFrame& root = frames_[0];
     root.side = 2 * half;
     two_sum(domain.x0 * units.per_length, half, root.x, root.x_rest);
     two_sum(domain.y0 * units.per_length, half, root.y, root.y_rest);
@@ -232,7 +232,7 @@ void DeepTree::append(const Grafts& grafts, const tree::Assembly& forest) {
 }
 
 std::size_t DeepTree::bytes() const {
-  return cells_.capacity() * (sizeof(DeepCell) + sizeof(Frame)) +
+  return cells_.capacity() * (sizeof(DeepCell) + sizeof(CellFrame)) +
          sizeof(std::uint32_t) *
              (level_first_.capacity() + childless_.capacity() + order_.capacity());
 }

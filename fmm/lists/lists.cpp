@@ -10,12 +10,12 @@ constexpr std::uint32_t portion = 1024;
 
 /// Where the neighbor (dx, dy) of the child in quadrant q is found: in the parent's neighbor
 /// `near`, there in quadrant `quadrant`.
-struct Place {
+struct ChildPlace {
   int near, quadrant;
 };
 
-constexpr std::array<std::array<Place, 9>, 4> make_places() {
-  std::array<std::array<Place, 9>, 4> places{};
+constexpr std::array<std::array<ChildPlace, 9>, 4> make_places() {
+  std::array<std::array<ChildPlace, 9>, 4> places{};
   for (int q = 0; q < 4; ++q) {
     for (int k = 0; k < 9; ++k) {
       const int x = q % 2 + k % 3 + 1, y = q / 2 + k / 3 + 1;  // in the grid of the nine families
@@ -29,7 +29,8 @@ constexpr auto places = make_places();
 
 }  // namespace
 
-Rows::Rows(std::size_t rows, std::span<const std::span<const Entry>> parts) : first_(rows + 2) {
+CellRows::CellRows(std::size_t rows, std::span<const std::span<const Entry>> parts)
+    : first_(rows + 2) {
   // counted two rows ahead, summed, and moved on as the cells go in: in the end one row ahead
   for (const auto part : parts) {
     for (const Entry entry : part) ++first_[entry.row + 2];
@@ -43,18 +44,18 @@ Rows::Rows(std::size_t rows, std::span<const std::span<const Entry>> parts) : fi
 }
 
 /// Entries of the rows, as some cells find them.
-struct Lists::Found {
-  std::vector<Rows::Entry> x, w, x_met, finer, refused;
+struct InteractionLists::Found {
+  std::vector<CellRows::Entry> x, w, x_met, finer, refused;
 };
 
-Lists::Lists(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
+InteractionLists::InteractionLists(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
   if (tree.cells().empty()) return;
   find_kin(tree);
   find_neighbors(tree, hidden);
   find_meetings(tree, few, hidden);
 }
 
-void Lists::find_kin(const DeepTree& tree) {
+void InteractionLists::find_kin(const DeepTree& tree) {
   const auto cells = tree.cells();
   const auto childless = tree.childless();
   const auto count = static_cast<std::uint32_t>(cells.size());
@@ -86,7 +87,7 @@ void Lists::find_kin(const DeepTree& tree) {
   }
 }
 
-void Lists::find_neighbors(const DeepTree& tree, const Hidden& hidden) {
+void InteractionLists::find_neighbors(const DeepTree& tree, const Hidden& hidden) {
   const auto cells = tree.cells();
   neighbors_.resize(cells.size());
   neighbors_[0].fill(nobody);
@@ -113,11 +114,11 @@ void Lists::find_neighbors(const DeepTree& tree, const Hidden& hidden) {
   }
 }
 
-void Lists::find_neighbors_of(const DeepTree& tree, std::uint32_t c) {
+void InteractionLists::find_neighbors_of(const DeepTree& tree, std::uint32_t c) {
   const DeepCell& cell = tree.cells()[c];
   const auto parent = static_cast<std::uint32_t>(cell.parent);
   for (int k = 0; k < 9; ++k) {
-    const Place place = places[cell.quadrant][k];
+    const ChildPlace place = places[cell.quadrant][k];
     std::int32_t near = neighbors_[parent][place.near];
     if (near != nobody && !childless(near)) {
       near = open(parent, place.near) ? children_[near][place.quadrant] : nobody;
@@ -126,7 +127,8 @@ void Lists::find_neighbors_of(const DeepTree& tree, std::uint32_t c) {
   }
 }
 
-void Lists::find_meetings(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
+void InteractionLists::find_meetings(const DeepTree& tree, std::uint32_t few,
+                                     const Hidden& hidden) {
   const auto cells = tree.cells();
   const auto count = static_cast<std::uint32_t>(cells.size());
 #pragma omp parallel for schedule(static) if (count > alone)
@@ -144,8 +146,8 @@ void Lists::find_meetings(const DeepTree& tree, std::uint32_t few, const Hidden&
   }
   const std::size_t leaves = tree.childless().size();
   struct Making {
-    Rows& rows;
-    std::vector<Rows::Entry> Found::*entries;
+    CellRows& rows;
+    std::vector<CellRows::Entry> Found::*entries;
     std::size_t count;
   };
   const Making makings[] = {{x_, &Found::x, count},
@@ -155,14 +157,15 @@ void Lists::find_meetings(const DeepTree& tree, std::uint32_t few, const Hidden&
                             {refused_, &Found::refused, count}};
 #pragma omp parallel for schedule(dynamic, 1) if (portions > 2)
   for (const Making& making : makings) {
-    std::vector<std::span<const Rows::Entry>> parts;
+    std::vector<std::span<const CellRows::Entry>> parts;
     for (const Found& found : some) parts.emplace_back(found.*making.entries);
-    making.rows = Rows(making.count, parts);
+    making.rows = CellRows(making.count, parts);
   }
 }
 
 /// What c meets of its X, of coarser neighbors, and of families that refuse its own.
-void Lists::look(const DeepTree& tree, std::uint32_t c, const Hidden& hidden, Found& found) const {
+void InteractionLists::look(const DeepTree& tree, std::uint32_t c, const Hidden& hidden,
+                            Found& found) const {
   const DeepCell& cell = tree.cells()[c];
   const Neighbors& own = neighbors_[c];
   const auto rank = [&](std::int32_t b) { return leaves_[b].first; };
@@ -202,7 +205,7 @@ void Lists::look(const DeepTree& tree, std::uint32_t c, const Hidden& hidden, Fo
   }
 }
 
-std::size_t Lists::bytes() const {
+std::size_t InteractionLists::bytes() const {
   const std::size_t per_cell = sizeof(Neighbors) + sizeof children_[0] + sizeof marks_[0] +
                                sizeof level_[0] + sizeof leaves_[0];
   return per_cell * neighbors_.capacity() + x_.bytes() + w_.bytes() + x_met_.bytes() +

@@ -41,7 +41,7 @@ FarErrors::FarErrors(const Stage& stage, const FarField<Number>& far, const Latt
       derivative_(derivative),
       terms_(order.most) {
   const auto cells = stage.tree.cells();
-  const Lists& lists = stage.lists;
+  const InteractionLists& lists = stage.lists;
   const std::vector<Charge> families = sum_families(stage, far);
   errors_.resize(cells.size());
   for (int level = 0; level < stage.tree.depth(); ++level) {
@@ -51,7 +51,7 @@ FarErrors::FarErrors(const Stage& stage, const FarField<Number>& far, const Latt
       if (cells[c].childless()) continue;
       Charge met;
       for (int k = 0; k < 9; ++k) {
-        if (k != Lists::middle && lists.open(c, k)) {
+        if (k != InteractionLists::middle && lists.open(c, k)) {
           met = met + families[static_cast<std::uint32_t>(lists.neighbors(c)[k])];
         }
       }

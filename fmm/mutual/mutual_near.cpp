@@ -92,7 +92,7 @@ void MutualNear::meet_exactly(std::uint32_t leaf, const Blocks& others,
 
 void MutualNear::take(std::uint32_t leaf) {
   const std::uint32_t first = leaves_.start[leaf], size = leaves_.size[leaf];
-  const Frame& at = tree_.frame(tree_.childless()[leaf]);
+  const CellFrame& at = tree_.frame(tree_.childless()[leaf]);
   room_.x0 = at.x, room_.y0 = at.y, room_.x_rest = at.x_rest, room_.y_rest = at.y_rest;
   room_.scale = fixed_side / at.side;
   const std::size_t whole = leaves_.start[leaf + 1] - first;

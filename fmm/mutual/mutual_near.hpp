@@ -17,7 +17,7 @@ class MutualNear {
  public:
   /// coarse   single precision will do: used wherever places fit (mutual_fixed_kernel.hpp); the
   ///          leaves come in vectors of floats
-  MutualNear(const DeepTree& tree, const Lists& lists, const Leaves& leaves, bool coarse)
+  MutualNear(const DeepTree& tree, const InteractionLists& lists, const Leaves& leaves, bool coarse)
       : tree_(tree), lists_(lists), leaves_(leaves), coarse_(coarse) {}
 
   /// Adds to u and v (times 2 pi, in the places of leaves) all pairs of U with a target in the
@@ -54,7 +54,7 @@ class MutualNear {
   void mend(std::uint32_t leaf, std::uint32_t block, const MutualPoints& points) const;
 
   const DeepTree& tree_;
-  const Lists& lists_;
+  const InteractionLists& lists_;
   const Leaves& leaves_;
   bool coarse_;
 

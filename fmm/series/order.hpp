@@ -35,12 +35,12 @@ inline constexpr double widest_ratio = 0.65;
 inline constexpr double one_cell_apart = 0.47140452079103168;
 
 /// Terms by ratio, looked up.
-class Order {
+class SeriesOrder {
  public:
   /// As many terms as each ratio needs, up to widest_ratio.
-  static Order for_tolerance(double tolerance);
+  static SeriesOrder for_tolerance(double tolerance);
   /// The same number of terms everywhere, up to a ratio, or to the paper's.
-  static Order fixed(int terms, double ratio = one_cell_apart);
+  static SeriesOrder fixed(int terms, double ratio = one_cell_apart);
 
   [[nodiscard]] int most() const { return most_; }
   [[nodiscard]] double squared_ratio() const { return squared_ratio_; }

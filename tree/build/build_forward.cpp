@@ -96,7 +96,7 @@ class Grower {
 }  // namespace
 
 Assembly grow_forward(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
-  const auto* crowded = must_split.target<Crowded>();
+  const auto* crowded = must_split.target<CrowdedRule>();
   Assembly grown =
       crowded ? Grower(order, *crowded, pieces).run() : Grower(order, must_split, pieces).run();
   grown.childless = rank_childless(grown.cells);

@@ -80,7 +80,7 @@ SplitRule crowded(std::uint32_t n_ctrl) {
   if (n_ctrl == 0) {
     throw std::invalid_argument("crowded: n_ctrl is 0; a cell must be allowed one point");
   }
-  return Crowded{n_ctrl};
+  return CrowdedRule{n_ctrl};
 }
 
 SplitRule roomy(std::span<const double> reach) {

@@ -133,9 +133,9 @@ void rearrange(SortedParticles& placed, std::span<const std::uint32_t> order) {
 }
 
 // From the root down, level by level.
-class Growth {
+class DeepGrower {
  public:
-  Growth(const SortedParticles& placed, const ExactGrid& grid, DeepCells& made)
+  DeepGrower(const SortedParticles& placed, const ExactGrid& grid, DeepCells& made)
       : placed_(placed), grid_(grid), made_(made) {}
 
   void grow(int root, std::uint32_t few) {
@@ -198,7 +198,7 @@ DeepCells deepen(SortedParticles& placed, std::uint32_t few) {
   }
   rearrange(placed, sorting.order());
   made.first.push_back(static_cast<std::uint32_t>(placed.size));
-  Growth(placed, grid, made).grow(sorting.root(), few);
+  DeepGrower(placed, grid, made).grow(sorting.root(), few);
   for (int level = 0; level <= made.cells.back().level; ++level) {
     made.sides.push_back(grid.side(level));
   }

@@ -81,12 +81,12 @@ Extremes extremes(std::span<const double> reach) {
 }
 
 // How particles become addresses.
-struct Frame {
+struct AddressFrame {
   Domain domain;
   double spanned;  // side of the domain, so much shorter that cells span reaches with a margin
   kernel::Addresses addresses;
 
-  Frame(const Domain& all, Extremes reach)
+  AddressFrame(const Domain& all, Extremes reach)
       : domain(all),
         spanned(all.side / margin),
         addresses{kernel::own_level(spanned, reach.most), kernel::own_level(spanned, reach.least)} {
@@ -94,8 +94,8 @@ struct Frame {
 
   void locate(Points points, std::span<const double> reach, Range some, Key* to) const {
     const double scale = 0x1p31 / domain.side;
-    const kernel::Axis x{domain.x0, domain.x0 + domain.side, scale};
-    const kernel::Axis y{domain.y0, domain.y0 + domain.side, scale};
+    const kernel::DomainAxis x{domain.x0, domain.x0 + domain.side, scale};
+    const kernel::DomainAxis y{domain.y0, domain.y0 + domain.side, scale};
     (void)kernel::codes(&points.x[some.first], &points.y[some.first], some.size(), x, y, ~Key{0},
                         to);
     kernel::home_cells(addresses, spanned, &reach[some.first], some.size(), to);
@@ -106,9 +106,9 @@ struct Frame {
 struct Particle {
   double x, y, reach;
 };
-using Particles = Unwritten<Particle>;
+using ParticleRecords = Unwritten<Particle>;
 
-void pack(Points points, std::span<const double> reach, Range some, Particles& to) {
+void pack(Points points, std::span<const double> reach, Range some, ParticleRecords& to) {
   for (std::uint32_t i = some.first; i < some.last; ++i) {
     to[i] = {points.x[i], points.y[i], reach[i]};
   }
@@ -123,8 +123,8 @@ struct Located {
 // Puts some particles in their places, sorted(j) telling the j-th, and notes those whose address is
 // not that of the one before.
 template <class Sorted>
-void lay_out(const Particles& particles, const Sorted& sorted, Range some, SortedParticles& placed,
-             std::vector<std::uint32_t>& begins) {
+void lay_out(const ParticleRecords& particles, const Sorted& sorted, Range some,
+             SortedParticles& placed, std::vector<std::uint32_t>& begins) {
   std::array<std::uint32_t, portion> fresh;
   std::size_t count = 0;
   Key last = some.first == 0 ? ~Key{0} : sorted(some.first - 1).address;
@@ -143,7 +143,7 @@ void lay_out(const Particles& particles, const Sorted& sorted, Range some, Sorte
 
 // The same for all; each run of equal addresses is a cell.
 template <class Sorted>
-HomeCells lay_out(const Particles& particles, const Frame& frame, const Sorted& sorted,
+HomeCells lay_out(const ParticleRecords& particles, const AddressFrame& frame, const Sorted& sorted,
                   SortedParticles& placed) {
   const std::size_t n = particles.size();
   placed.renew(n);
@@ -165,10 +165,10 @@ HomeCells lay_out(const Particles& particles, const Frame& frame, const Sorted& 
 }
 
 // By numbers that hold address and particle, if both fit.
-HomeCells sort_numbers(Points points, std::span<const double> reach, const Frame& frame,
+HomeCells sort_numbers(Points points, std::span<const double> reach, const AddressFrame& frame,
                        int particle_bits, SortedParticles& placed) {
   Unwritten<std::uint64_t> numbers(points.size());
-  Particles particles(points.size());
+  ParticleRecords particles(points.size());
   for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
     frame.locate(points, reach, some, &numbers[some.first]);
     for (std::uint32_t i = some.first; i < some.last; ++i) {
@@ -184,11 +184,11 @@ HomeCells sort_numbers(Points points, std::span<const double> reach, const Frame
   return lay_out(particles, frame, sorted, placed);
 }
 
-HomeCells sort_keys(Points points, std::span<const double> reach, const Frame& frame,
+HomeCells sort_keys(Points points, std::span<const double> reach, const AddressFrame& frame,
                     std::vector<Key> keys, Unwritten<std::uint32_t> order,
                     SortedParticles& placed) {
   radix_sort(keys, order);
-  Particles particles(points.size());
+  ParticleRecords particles(points.size());
   for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
     pack(points, reach, some, particles);
   });
@@ -220,7 +220,7 @@ void check_particles(Points points, std::span<const double> reach) {
 HomeCells sort_into_own_cells(Points points, std::span<const double> reach,
                               SortedParticles& placed) {
   const Extremes extreme = extremes(reach);
-  const Frame frame(fit(enclose(points), extreme.most), extreme);
+  const AddressFrame frame(fit(enclose(points), extreme.most), extreme);
   const std::size_t n = points.size();
   const int particle_bits = std::bit_width(n);
   if (frame.addresses.bits() + particle_bits <= 64) {
@@ -235,7 +235,7 @@ HomeCells sort_into_own_cells(Points points, std::span<const double> reach,
 
 HomeCells sort_into_own_cells(const Quadtree& tree, Points points, std::span<const double> reach,
                               SortedParticles& placed) {
-  Frame frame(tree.domain(), extremes(reach));
+  AddressFrame frame(tree.domain(), extremes(reach));
   frame.addresses.coarsest = 0;
   const auto order = tree.order();
   std::vector<Key> keys(reach.size());

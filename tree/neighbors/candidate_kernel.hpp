@@ -176,7 +176,7 @@ inline Singles threshold(Singles own, Singles other) {
 
 /// Candidates that many particles are tested against: positions and reach terms, in whole
 /// registers.
-struct Candidates {
+struct CandidateColumns {
   const float *u, *v, *reach;
 };
 
@@ -188,7 +188,7 @@ struct Tested {
 /// Tests a particle against the registers first..last - 1 of candidates; a set of lanes for each
 /// goes to hits[0], ...
 template <PairRule rule>
-inline Tested test(Candidates all, std::size_t first, std::size_t last, float u, float v,
+inline Tested test(CandidateColumns all, std::size_t first, std::size_t last, float u, float v,
                    float reach, float slack, Hits* hits) {
   const Singles own = fill(reach), zero{};
   Singles clearance = fill(3e38f);

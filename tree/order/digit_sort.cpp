@@ -20,14 +20,6 @@ int most_bits(std::size_t n) {
   return std::clamp(static_cast<int>(std::bit_width(n)) - 2, 6, 14);
 }
 
-struct Digit {
-  int low, bits;
-  [[nodiscard]] std::size_t count() const { return std::size_t{1} << bits; }
-  [[nodiscard]] std::size_t operator()(std::uint64_t number) const {
-    return number >> low & (count() - 1);
-  }
-};
-
 // Each piece counts for itself, so that threads share the work and the order is kept.
 void part(std::span<const std::uint64_t> from, Digit digit, std::span<std::uint64_t> to) {
   const std::size_t threads = static_cast<std::size_t>(omp_get_max_threads());

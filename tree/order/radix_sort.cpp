@@ -13,6 +13,7 @@
 
 #include "tree/base/memory.hpp"
 #include "tree/base/parallel.hpp"
+#include "tree/order/digit_sort.hpp"
 #include "tree/order/run_sort.hpp"
 
 namespace vortree::tree {
@@ -45,15 +46,11 @@ Key differing_bits(std::span<const Record> records) {
   return differing;
 }
 
-// So many bits below the highest one that differs.
-struct Digit {
-  int low, bits;
-  Digit(Key differing, int most)
-      : low(std::max(0, static_cast<int>(std::bit_width(differing)) - most)),
-        bits(std::min(most, static_cast<int>(std::bit_width(differing)))) {}
-  [[nodiscard]] std::size_t count() const { return std::size_t{1} << bits; }
-  [[nodiscard]] std::size_t operator()(Key key) const { return key >> low & (count() - 1); }
-};
+// At most so many bits, from the highest one that differs.
+Digit highest_digit(Key differing, int most) {
+  const int width = std::bit_width(differing);
+  return {std::max(0, width - most), std::min(most, width)};
+}
 
 // Numbers keys by where they stand among some of them, picked so that buckets come out about
 // equally full however the keys crowd. A key that was picked twice has a bucket of its own.
@@ -145,7 +142,7 @@ class Sorter {
   void run(Key differing, const IndexOf& index_of) {
     const std::size_t n = keys_.size();
     const int bits = (static_cast<int>(std::bit_width(n)) + 2) / 2;
-    const Digit digit(differing, std::min(most_first_bits, bits));
+    const Digit digit = highest_digit(differing, std::min(most_first_bits, bits));
     const auto ends = part(
         n, pieces_of(n), digit, [&](std::size_t i) { return keys_[i]; },
         [&](std::size_t i, std::uint32_t to) {
@@ -166,7 +163,7 @@ class Sorter {
   // that differ.
   std::vector<std::uint32_t> part_again(Range bucket, Key differing, std::size_t some) {
     return bucket.size() > crowd ? part_by(Splitters(records(bucket)), bucket, some)
-                                 : part_by(Digit(differing, next_bits), bucket, some);
+                                 : part_by(highest_digit(differing, next_bits), bucket, some);
   }
 
   template <class Digits>

@@ -45,8 +45,8 @@ void check_request(Points points, const Domain& domain, int finest) {
 
 Unwritten<Key> encode_points(Points points, const Domain& domain, int finest) {
   const double scale = 0x1p31 / domain.side;
-  const kernel::Axis x{domain.x0, domain.x0 + domain.side, scale};
-  const kernel::Axis y{domain.y0, domain.y0 + domain.side, scale};
+  const kernel::DomainAxis x{domain.x0, domain.x0 + domain.side, scale};
+  const kernel::DomainAxis y{domain.y0, domain.y0 + domain.side, scale};
   const Key mask = ~Key{0} << 2 * (max_level - finest);
   const std::size_t n = points.size();
   Unwritten<Key> keys(n);
