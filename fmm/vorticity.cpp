@@ -10,12 +10,12 @@
 #include "fmm/cores/core_kernel.hpp"
 #include "fmm/geometry/arrangement.hpp"
 #include "fmm/near/packed.hpp"
+#include "fmm/tuning.hpp"
 #include "tree/base/told.hpp"
 
 namespace vortree::fmm {
 namespace {
 
-constexpr std::uint32_t capacity = 32;
 constexpr double least_core = 1e-150;  // in Units; what is narrower has no extent
 
 struct Peaks {
@@ -97,8 +97,8 @@ void vorticity(const Blobs& blobs, tree::Points targets, std::span<double> omega
   std::ranges::fill(omega, 0.0);
   if (blobs.size() == 0 || blobs.sigma.empty()) return;
   const Units units = Units::of(blobs);
-  const Arrangement sources = arrange({blobs.x, blobs.y, blobs.sigma}, units, {capacity});
-  const Arrangement at = arrange(places, units, {capacity});
+  const Arrangement sources = arrange({blobs.x, blobs.y, blobs.sigma}, units, {vorticity_capacity});
+  const Arrangement at = arrange(places, units, {vorticity_capacity});
   const Peaks peaks = find_peaks(sources, blobs.gamma, units);
   const double per_unit = units.per_length / units.per_gamma * units.per_length;
   const auto leaves = at.tree.childless();

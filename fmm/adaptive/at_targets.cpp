@@ -4,18 +4,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "fmm/tuning.hpp"
 #include "tree/order/sort.hpp"
 
 namespace vortree::fmm {
-namespace {
-
-/// Targets of one cell that are summed together.
-constexpr std::size_t together = 64;
-
-/// A series must outweigh so many points.
-constexpr std::uint32_t few = 12;
-
-}  // namespace
+namespace {}  // namespace
 
 TargetBox around(const NearTargets& targets) {
   double left = targets.x[0], right = left, bottom = targets.y[0], top = bottom, widest = 0.0;
@@ -81,7 +74,7 @@ void Adaptive::find_sources(std::uint32_t cell, const TargetBox& box, const Acce
     const bool hidden = gap_x * gap_x + gap_y * gap_y >= accepted.squared_reach(core, box.core);
     const bool apart = std::max(gap_x, gap_y) >= at.side;
     const DeepCell& here = tree_.cells()[c];
-    if (apart && hidden && here.points.size() > few) {
+    if (apart && hidden && here.points.size() > few_points) {
       found.series.push_back(c);
     } else if (here.childless()) {
       (hidden ? found.near.bare : found.near.cored).push_back(leaves_.places(lists_.leaves(c)));
@@ -99,7 +92,7 @@ namespace {
 std::vector<std::size_t> find_batches(const std::vector<Held>& held) {
   std::vector<std::size_t> first;
   for (std::size_t k = 0; k < held.size(); ++k) {
-    if (k == 0 || held[k].cell != held[k - 1].cell || k - first.back() == together) {
+    if (k == 0 || held[k].cell != held[k - 1].cell || k - first.back() == targets_a_batch) {
       first.push_back(k);
     }
   }

@@ -7,6 +7,7 @@
 #include "fmm/losses/expected.hpp"
 #include "fmm/series/expansion_kernel.hpp"
 #include "fmm/series/lattice_order.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -31,8 +32,8 @@ void in_frame(const LeafPoints& some, const CellFrame& frame, Use use) {
   LatticePoints<Number> points;
   constexpr int n = LatticePoints<Number>::n;
   const double per_side = 1 / frame.side;
-  for (std::size_t first = 0; first < some.size; first += most_points) {
-    points.size = static_cast<int>(std::min<std::size_t>(some.size - first, most_points));
+  for (std::size_t first = 0; first < some.size; first += points_a_series) {
+    points.size = static_cast<int>(std::min<std::size_t>(some.size - first, points_a_series));
     points.vectors = (points.size + n - 1) / n;
     const double *x = some.x + first, *y = some.y + first;
     const int whole = static_cast<int>(padded(static_cast<std::size_t>(points.size)));
@@ -98,7 +99,7 @@ FarField<Number>::FarField(const Stage& stage, TranslationTables<Number> tables)
       if (!cells[c].childless()) parents.push_back(c);
     }
     const std::size_t batches = (parents.size() + Families::lanes - 1) / Families::lanes;
-#pragma omp parallel if (batches > 8)
+#pragma omp parallel if (batches > tree::upward_worth_sharing)
     {
       Families families(tables_.order, padded_);
 #pragma omp for schedule(static)
@@ -176,7 +177,7 @@ void FarField<Number>::descend(const Stage& stage) {
       if (!cells[c].childless()) parents.push_back(c);
     }
     const std::size_t batches = (parents.size() + Families::lanes - 1) / Families::lanes;
-#pragma omp parallel if (batches > 1)
+#pragma omp parallel if (batches > tree::downward_worth_sharing)
     {
       Families families(tables_.order, padded_);
 #pragma omp for schedule(dynamic, 4)
@@ -188,7 +189,7 @@ void FarField<Number>::descend(const Stage& stage) {
       }
     }
     const tree::Range below = stage.tree.level(level + 1);
-#pragma omp parallel for schedule(dynamic, 64) if (below.size() > 512)
+#pragma omp parallel for schedule(dynamic, 64) if (below.size() > tree::series_worth_sharing)
     for (std::uint32_t c = below.first; c < below.last; ++c) add_far(stage, c);
   }
 }
@@ -273,7 +274,7 @@ void add_at(const CellFrame& frame, const NearTargets& targets, RowsOf rows_of) 
   const double per_side = 1 / frame.side;
   in_frame<Number>({targets.x, targets.y, nullptr, targets.size}, frame,
                    [&](const LatticePoints<Number>& points, std::size_t first) {
-                     alignas(64) Number u[most_points], v[most_points];
+                     alignas(64) Number u[points_a_series], v[points_a_series];
                      std::fill_n(u, n * points.vectors, Number{0});
                      std::fill_n(v, n * points.vectors, Number{0});
                      by_rows<n>(points.vectors, [&]<int rows>(int i) {

@@ -4,16 +4,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "fmm/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
 
-/// Near sums with cores cost more a pair, but share more of their work among the targets of a leaf;
-/// both optima are flat (half to twice the capacity costs less than a tenth).
-constexpr std::uint32_t bare_capacity = 64, cored_capacity = 96;
-
 Options resolve(Options options, const Blobs& blobs) {
   if (options.capacity == 0)
-    options.capacity = blobs.sigma.empty() ? bare_capacity : cored_capacity;
+    options.capacity = blobs.sigma.empty() ? boxes_bare_capacity : boxes_cored_capacity;
   options.tolerance = std::max(options.tolerance, least_tolerance);
   return options;
 }

@@ -7,12 +7,10 @@
 #include "fmm/boxes/batch.hpp"
 #include "fmm/boxes/far.hpp"
 #include "fmm/near/near.hpp"
+#include "fmm/tuning.hpp"
 
 namespace vortree::fmm {
 namespace {
-
-/// Leaves share their far cells in blocks of at most so many targets.
-constexpr std::uint32_t block_size = 256;
 
 /// What a thread needs for one block, kept for the next one.
 struct Scratch {
@@ -23,7 +21,7 @@ struct Scratch {
   Batch block, leaf;
 };
 
-/// A cell of the target tree with no more than block_size targets, or childless; its leaves.
+/// A cell of the target tree with no more than targets_a_block targets, or childless; its leaves.
 struct BlockOfLeaves {
   std::uint32_t cell, first, last;
 };
@@ -34,7 +32,7 @@ std::vector<BlockOfLeaves> gather_blocks(const tree::Quadtree& tree) {
   std::vector<BlockOfLeaves> blocks;
   for (std::uint32_t k = 0; k < leaves.size(); ++k) {
     std::uint32_t c = leaves[k];
-    while (cells[c].parent >= 0 && cells[cells[c].parent].points.size() <= block_size) {
+    while (cells[c].parent >= 0 && cells[cells[c].parent].points.size() <= targets_a_block) {
       c = static_cast<std::uint32_t>(cells[c].parent);
     }
     if (blocks.empty() || blocks.back().cell != c) blocks.push_back({c, k, k});

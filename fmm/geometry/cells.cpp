@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tree/base/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
-
-constexpr std::uint32_t alone = 2048;  // cells of a level that one thread had better do alone
 
 struct CellShape {
   BoundingBox box;
@@ -43,7 +43,7 @@ CellShapes::CellShapes(const tree::Quadtree& tree, const SortedPoints& points) {
   std::vector<BoundingBox> boxes(tree.cells().size());
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range cells = tree.level(level);
-#pragma omp parallel for schedule(static) if (cells.size() > alone)
+#pragma omp parallel for schedule(static) if (cells.size() > tree::cells_worth_sharing)
     for (std::uint32_t c = cells.first; c < cells.last; ++c) {
       const tree::Cell& cell = tree.cells()[c];
       const CellShape shape = cell.childless() ? around(points, cell.points)

@@ -2,11 +2,11 @@
 
 #include <numeric>
 
+#include "fmm/tuning.hpp"
+#include "tree/base/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
-
-constexpr std::uint32_t alone = 2048;  // cells of a level that one thread had better do alone
-constexpr std::uint32_t portion = 1024;
 
 /// Where the neighbor (dx, dy) of the child in quadrant q is found: in the parent's neighbor
 /// `near`, there in quadrant `quadrant`.
@@ -63,7 +63,7 @@ void InteractionLists::find_kin(const DeepTree& tree) {
   leaves_.resize(count);
   level_.resize(count);
   marks_.resize(count);
-#pragma omp parallel for schedule(static) if (count > alone)
+#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
   for (std::uint32_t c = 0; c < count; ++c) {
     level_[c] = static_cast<std::uint8_t>(cells[c].level);
     marks_[c] = static_cast<std::uint16_t>(cells[c].childless() << childless_bit);
@@ -72,13 +72,13 @@ void InteractionLists::find_kin(const DeepTree& tree) {
       children_[c][cells[k].quadrant] = static_cast<std::int32_t>(k);
     }
   }
-#pragma omp parallel for schedule(static) if (count > alone)
+#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
   for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
     leaves_[childless[leaf]] = {leaf, leaf + 1};
   }
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range range = tree.level(level);
-#pragma omp parallel for schedule(static) if (range.size() > alone)
+#pragma omp parallel for schedule(static) if (range.size() > tree::cells_worth_sharing)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       const tree::Range children = cells[c].children;
       if (children.empty()) continue;
@@ -95,7 +95,7 @@ void InteractionLists::find_neighbors(const DeepTree& tree, const Hidden& hidden
   for (int level = 0; level <= tree.depth(); ++level) {
     const tree::Range range = tree.level(level);
     const double gap = tree.side(level + 1);
-#pragma omp parallel for schedule(static) if (range.size() > alone)
+#pragma omp parallel for schedule(static) if (range.size() > tree::cells_worth_sharing)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       if (level > 0) find_neighbors_of(tree, c);
       unsigned marks = marks_[c];
@@ -131,18 +131,18 @@ void InteractionLists::find_meetings(const DeepTree& tree, std::uint32_t few,
                                      const Hidden& hidden) {
   const auto cells = tree.cells();
   const auto count = static_cast<std::uint32_t>(cells.size());
-#pragma omp parallel for schedule(static) if (count > alone)
+#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
   for (const std::uint32_t b : tree.childless()) {
     if (cells[b].points.size() < few) {
       marks_[b] = static_cast<std::uint16_t>(marks_[b] | 1u << sparse_bit);
     }
   }
-  const std::uint32_t portions = (count + portion - 1) / portion;
+  const std::uint32_t portions = (count + cells_a_portion - 1) / cells_a_portion;
   std::vector<Found> some(portions);
-#pragma omp parallel for schedule(dynamic) if (portions > 2)
+#pragma omp parallel for schedule(dynamic) if (portions > portions_for_one)
   for (std::uint32_t p = 0; p < portions; ++p) {
-    const std::uint32_t end = std::min(count, (p + 1) * portion);
-    for (std::uint32_t c = p * portion; c < end; ++c) look(tree, c, hidden, some[p]);
+    const std::uint32_t end = std::min(count, (p + 1) * cells_a_portion);
+    for (std::uint32_t c = p * cells_a_portion; c < end; ++c) look(tree, c, hidden, some[p]);
   }
   const std::size_t leaves = tree.childless().size();
   struct Making {
@@ -155,7 +155,7 @@ void InteractionLists::find_meetings(const DeepTree& tree, std::uint32_t few,
                             {x_met_, &Found::x_met, count},
                             {finer_, &Found::finer, leaves},
                             {refused_, &Found::refused, count}};
-#pragma omp parallel for schedule(dynamic, 1) if (portions > 2)
+#pragma omp parallel for schedule(dynamic, 1) if (portions > portions_for_one)
   for (const Making& making : makings) {
     std::vector<std::span<const CellRows::Entry>> parts;
     for (const Found& found : some) parts.emplace_back(found.*making.entries);

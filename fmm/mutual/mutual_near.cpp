@@ -33,10 +33,10 @@ void MutualNear::add(tree::Range leaf_run, double* u, double* v) {
   const auto meeting = [&](std::uint32_t leaf) -> Meeting& {
     return meetings_[leaf % meetings_.size()];
   };
-  for (std::uint32_t next = leaf_run.first; next < leaf_run.last + in_advance; ++next) {
+  for (std::uint32_t next = leaf_run.first; next < leaf_run.last + cells_ahead; ++next) {
     if (next < leaf_run.last) arrange(next, leaf_run, points, meeting(next));
-    if (next < leaf_run.first + in_advance) continue;
-    const std::uint32_t leaf = next - in_advance;
+    if (next < leaf_run.first + cells_ahead) continue;
+    const std::uint32_t leaf = next - cells_ahead;
     meet_exactly(leaf, meeting(leaf).exact, points);
     if (coarse_) meet_in_fixed(leaf, meeting(leaf).fixed, points);
   }

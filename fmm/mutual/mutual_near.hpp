@@ -8,6 +8,7 @@
 #include "fmm/lists/lists.hpp"
 #include "fmm/mutual/mutual_fixed_kernel.hpp"
 #include "fmm/mutual/mutual_kernel.hpp"
+#include "fmm/tuning.hpp"
 
 namespace vortree::fmm {
 
@@ -41,8 +42,6 @@ class MutualNear {
     Unwritten<Singles> u, v;
   };
 
-  static constexpr std::uint32_t in_advance = 4;  // cells to ask memory for
-
   void arrange(std::uint32_t leaf, tree::Range leaf_run, const MutualPoints& points,
                Meeting& meeting);
   void meet_exactly(std::uint32_t leaf, const Blocks& others, const MutualPoints& points);
@@ -58,7 +57,7 @@ class MutualNear {
   const Leaves& leaves_;
   bool coarse_;
 
-  std::array<Meeting, in_advance + 1> meetings_;
+  std::array<Meeting, cells_ahead + 1> meetings_;
   Unwritten<Lanes> u_, v_;
   Fixed room_;
 };

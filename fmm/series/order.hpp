@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "fmm/tuning.hpp"
+
 namespace vortree::fmm {
 
 /// How many terms of a multipole keep the promised tolerance.
@@ -26,10 +28,6 @@ namespace vortree::fmm {
 /// The ratio up to which so many terms keep a tolerance of the derivative of a series, which lacks
 /// (p + 1)/(1 - ratio) times what the series lacks.
 [[nodiscard]] double slope_ratio(double tolerance, int terms);
-
-/// The ratio up to which cells meet by series when the order is chosen by tolerance, the cheapest
-/// on average between few terms of small cells and many terms of large ones.
-inline constexpr double widest_ratio = 0.65;
 
 /// The paper's rule, one cell apart: half the diagonal over one and a half sides.
 inline constexpr double one_cell_apart = 0.47140452079103168;

@@ -12,6 +12,7 @@
 
 #include "tree/base/memory.hpp"
 #include "tree/base/parallel.hpp"
+#include "tree/base/tuning.hpp"
 #include "tree/build/build_reverse.hpp"
 #include "tree/build/extent_kernel.hpp"
 #include "tree/cells/home_cell_kernel.hpp"
@@ -27,16 +28,14 @@ namespace {
 // nor that of distances puts a neighbor two cells away.
 constexpr double margin = 1 + 0x1p-18;
 
-constexpr std::uint32_t portion = 1024;  // particles that stay in the nearest cache
-
 // work(piece, range) for all portions of every piece, one after the other.
 template <class Work>
 void for_each_portion(std::size_t n, const Work& work) {
   const std::size_t pieces = pieces_of(n);
   for_each_piece(pieces, [&](std::size_t p) {
     const Range all = piece(n, p, pieces);
-    for (std::uint32_t first = all.first; first < all.last; first += portion) {
-      work(p, Range{first, std::min(all.last, first + portion)});
+    for (std::uint32_t first = all.first; first < all.last; first += located_at_once) {
+      work(p, Range{first, std::min(all.last, first + located_at_once)});
     }
   });
 }
@@ -125,7 +124,7 @@ struct Located {
 template <class Sorted>
 void lay_out(const ParticleRecords& particles, const Sorted& sorted, Range some,
              SortedParticles& placed, std::vector<std::uint32_t>& begins) {
-  std::array<std::uint32_t, portion> fresh;
+  std::array<std::uint32_t, located_at_once> fresh;
   std::size_t count = 0;
   Key last = some.first == 0 ? ~Key{0} : sorted(some.first - 1).address;
   for (std::uint32_t j = some.first; j < some.last; ++j) {

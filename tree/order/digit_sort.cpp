@@ -9,15 +9,14 @@
 #include <vector>
 
 #include "tree/base/parallel.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::tree {
 
 namespace {
 
-// More places to write to than lines of the second cache make writing slow; more than numbers,
-// counting.
 int most_bits(std::size_t n) {
-  return std::clamp(static_cast<int>(std::bit_width(n)) - 2, 6, 14);
+  return std::clamp(static_cast<int>(std::bit_width(n)) - 2, least_digit_bits, most_digit_bits);
 }
 
 // Each piece counts for itself, so that threads share the work and the order is kept.
