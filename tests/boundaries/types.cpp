@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 /// Names that still are two types or more: to be struck when they are one. No name is added.
 const std::set<std::string> still_double{
-    "Bench",  "Blobs", "Box",    "Builder", "Cells",     "Choice", "Column", "Columns", "Complex",
-    "Cost",   "Curve", "Field",  "Found",   "Gradient",  "Key",    "Known",  "Lanes",   "Lattice",
-    "Layout", "List",  "Method", "Need",    "Particles", "Phase",  "Points", "Problem", "Row",
-    "Solver", "Sum",   "Sums",   "Table",   "Units",     "Value",  "Vec2",   "Window"};
+    "Bench", "Blobs",  "Box",   "Builder",   "Cells",    "Choice", "Column",  "Columns", "Complex",
+    "Cost",  "Curve",  "Field", "Found",     "Gradient", "Key",    "Known",   "Lattice", "Layout",
+    "List",  "Method", "Need",  "Particles", "Phase",    "Points", "Problem", "Row",     "Solver",
+    "Sum",   "Sums",   "Table", "Value",     "Vec2",     "Window"};
 
 struct Token {
   std::string text;
