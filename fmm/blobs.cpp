@@ -9,12 +9,11 @@
 #include "fmm/geometry/units.hpp"
 #include "fmm/losses/closeness.hpp"
 #include "tree/base/told.hpp"
+#include "tree/base/tuning.hpp"
 #include "tree/order/points.hpp"
 
 namespace vortree::fmm {
 namespace {
-
-constexpr std::size_t many = 50000;  // values that threads share
 
 void check_length(const char* name, std::size_t found, std::size_t expected) {
   if (found != expected) {
@@ -37,7 +36,7 @@ std::string complaint(const char* name, std::size_t i, double value, const std::
 /// None beyond the limit, nor anything but a number; counted, so that the loop runs by lanes.
 bool all_within(std::span<const double> values, double low, double high) {
   std::size_t outside = 0;
-#pragma omp parallel for simd reduction(+ : outside) if (values.size() > many)
+#pragma omp parallel for simd reduction(+ : outside) if (values.size() > tree::values_worth_sharing)
   for (std::size_t i = 0; i < values.size(); ++i) {
     outside += values[i] >= low && values[i] <= high ? 0 : 1;
   }

@@ -11,20 +11,18 @@
 #include "fmm/geometry/units.hpp"
 #include "fmm/losses/expected.hpp"
 #include "fmm/near/p2p_kernel.hpp"
+#include "fmm/tuning.hpp"
 
 namespace vortree::fmm {
 namespace {
 
-constexpr std::size_t tile = 1024;  // sources: four arrays of it stay in the first cache
-constexpr std::size_t batch = 64;   // targets that visit a tile together
-
 /// pack(S)   what a pair asks of the squared core of a source
 template <class Pack>
-std::vector<Packed> tiles(const Blobs& blobs, const Units& units, Pack pack) {
-  std::vector<Packed> packed;
-  for (std::size_t first = 0; first < blobs.size(); first += tile) {
-    const std::size_t last = std::min(first + tile, blobs.size());
-    Packed& sources = packed.emplace_back();
+std::vector<PackedSources> tiles(const Blobs& blobs, const Units& units, Pack pack) {
+  std::vector<PackedSources> packed;
+  for (std::size_t first = 0; first < blobs.size(); first += sources_a_tile) {
+    const std::size_t last = std::min(first + sources_a_tile, blobs.size());
+    PackedSources& sources = packed.emplace_back();
     sources.restart(last - first);
     for (std::size_t j = first; j < last; ++j) {
       const double core = blobs.sigma.empty() ? 0.0 : units.squared_core(blobs.sigma[j]);
@@ -42,12 +40,12 @@ double total(const Blobs& blobs, const Units& units) {
   return all;
 }
 
-struct Batch {
-  double x[batch], y[batch], core[batch];
+struct TargetsInUnits {
+  double x[targets_a_visit], y[targets_a_visit], core[targets_a_visit];
   std::size_t size;
 
-  Batch(const Targets& targets, std::size_t first, const Units& units)
-      : size(std::min(batch, targets.size() - first)) {
+  TargetsInUnits(const Targets& targets, std::size_t first, const Units& units)
+      : size(std::min(targets_a_visit, targets.size() - first)) {
     for (std::size_t i = 0; i < size; ++i) {
       x[i] = units.position(targets.x[first + i]);
       y[i] = units.position(targets.y[first + i]);
@@ -59,16 +57,16 @@ struct Batch {
 template <class Pair>
 void sum_all(const Blobs& blobs, const Targets& targets, std::span<double> u, std::span<double> v) {
   const Units units = Units::of(blobs);
-  const std::vector<Packed> sources = tiles(blobs, units, Pair::packed_core);
+  const std::vector<PackedSources> sources = tiles(blobs, units, Pair::packed_core);
   std::ranges::fill(u, 0.0);
   std::ranges::fill(v, 0.0);
   const std::size_t n = targets.size();
   double found = 0.0;  // asked only for its order of magnitude
 #pragma omp parallel for schedule(dynamic) reduction(+ : found)
-  for (std::size_t first = 0; first < n; first += batch) {
-    const Batch local(targets, first, units);
+  for (std::size_t first = 0; first < n; first += targets_a_visit) {
+    const TargetsInUnits local(targets, first, units);
     const NearTargets some{local.x, local.y, local.core, &u[first], &v[first], local.size};
-    for (const Packed& packed : sources) p2p<Pair>(packed, some);
+    for (const PackedSources& packed : sources) p2p<Pair>(packed, some);
     for (const std::span<double> sums :
          {u.subspan(first, local.size), v.subspan(first, local.size)}) {
       found += sum_of_squares(sums);
@@ -95,11 +93,11 @@ void sum_field(const Field& field, const Blobs& blobs, const Targets& targets, C
   const std::size_t n = targets.size();
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(sums[s], n, 0.0);
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t first = 0; first < n; first += batch) {
-    const Batch local(targets, first, units);
+  for (std::size_t first = 0; first < n; first += targets_a_visit) {
+    const TargetsInUnits local(targets, first, units);
     FieldTargets some{local.x, local.y, local.core, {}, local.size};
     for (std::size_t s = 0; s < Field::count; ++s) some.sums[s] = sums[s] + first;
-    for (const Packed& packed : sources) {
+    for (const PackedSources& packed : sources) {
       if (without) {
         field.add_bare(packed, some);
       } else {

@@ -10,12 +10,12 @@
 #include "fmm/cores/core_kernel.hpp"
 #include "fmm/geometry/arrangement.hpp"
 #include "fmm/near/packed.hpp"
+#include "fmm/tuning.hpp"
 #include "tree/base/told.hpp"
 
 namespace vortree::fmm {
 namespace {
 
-constexpr std::uint32_t capacity = 32;
 constexpr double least_core = 1e-150;  // in Units; what is narrower has no extent
 
 struct Peaks {
@@ -25,7 +25,7 @@ struct Peaks {
 
 /// Sources within reach of a leaf's box.
 void collect(const Peaks& peaks, const CellShapes& targets, std::size_t leaf, double reach2,
-             Packed& near) {
+             PackedSources& near) {
   const CellShapes& shapes = peaks.at.shapes;
   const SortedPoints& points = peaks.at.points;
   std::vector<std::uint32_t> open{0};
@@ -55,7 +55,7 @@ void collect(const Peaks& peaks, const CellShapes& targets, std::size_t leaf, do
 }
 
 /// exp(-q) = 1 - core(q): the error is the last bit of the peak.
-double sum_at(const Packed& near, double x, double y) {
+double sum_at(const PackedSources& near, double x, double y) {
   Lanes omega{};
   for (std::size_t j = 0; j < near.size(); j += lane_count) {
     const Lanes dx = x - load(near.x() + j), dy = y - load(near.y() + j);
@@ -97,14 +97,14 @@ void vorticity(const Blobs& blobs, tree::Points targets, std::span<double> omega
   std::ranges::fill(omega, 0.0);
   if (blobs.size() == 0 || blobs.sigma.empty()) return;
   const Units units = Units::of(blobs);
-  const Arrangement sources = arrange({blobs.x, blobs.y, blobs.sigma}, units, {capacity});
-  const Arrangement at = arrange(places, units, {capacity});
+  const Arrangement sources = arrange({blobs.x, blobs.y, blobs.sigma}, units, {vorticity_capacity});
+  const Arrangement at = arrange(places, units, {vorticity_capacity});
   const Peaks peaks = find_peaks(sources, blobs.gamma, units);
   const double per_unit = units.per_length / units.per_gamma * units.per_length;
   const auto leaves = at.tree.childless();
 #pragma omp parallel
   {
-    Packed near;
+    PackedSources near;
 #pragma omp for schedule(dynamic)
     for (std::size_t k = 0; k < leaves.size(); ++k) {
       collect(peaks, at.shapes, leaves[k], std::log(1.0 / tolerance), near);

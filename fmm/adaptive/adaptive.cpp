@@ -6,23 +6,11 @@
 #include <utility>
 
 #include "fmm/geometry/vortices.hpp"
+#include "fmm/tuning.hpp"
 #include "tree/build/split_rule.hpp"
 
 namespace vortree::fmm {
 namespace {
-
-/// Points of a childless cell that near sums and series agree on; the optimum is flat.
-constexpr double even_leaf = 20, even_leaf_fine = 32;
-constexpr double fine_tolerance = 1e-10;
-
-/// Near sums with cores share what a vector of sources costs among the points of a cell.
-constexpr std::uint32_t cored_capacity = 64;
-
-/// Cells of so few points meet cells apart from them point by point rather than by P2L and M2P.
-constexpr std::uint32_t few = 12;
-
-/// Up to so many near sources a target, cores may refuse series.
-constexpr double most_near = 4000;
 
 double leaf_size(const Options& options) {
   return options.tolerance < fine_tolerance ? even_leaf_fine : even_leaf;
@@ -98,7 +86,7 @@ void Adaptive::grow(const Blobs& blobs) {
 void Adaptive::list() {
   const auto cells = tree_.cells();
   if (!leaves_.cored()) {
-    lists_ = Lists(tree_, few, {});
+    lists_ = InteractionLists(tree_, few_points, {});
     return;
   }
   core_.resize(cells.size());
@@ -114,10 +102,10 @@ void Adaptive::list() {
     most = std::max(most, core_[c]), least = std::min(least, least_core_[c]);
   }
   const double reach2 = core_reach2(options_.tolerance);
-  lists_ = Lists(tree_, few, [&](std::uint32_t a, std::uint32_t b, double gap) {
+  lists_ = InteractionLists(tree_, few_points, [&](std::uint32_t a, std::uint32_t b, double gap) {
     return reach2 * std::max(core_[a], core_[b]) <= gap * gap;
   });
-  serves_ = near_pairs() <= most_near * static_cast<double>(leaves_.places());
+  serves_ = near_pairs() <= most_near_sources * static_cast<double>(leaves_.places());
 }
 
 double Adaptive::near_pairs() const {
@@ -136,7 +124,7 @@ double Adaptive::near_pairs() const {
 }
 
 Acceptance Adaptive::acceptance(bool cored) const {
-  return {.order = Order::fixed(order_.most),
+  return {.order = SeriesOrder::fixed(order_.most),
           .reach2 = cored ? core_reach2(options_.tolerance) : 0.0,
           .cores = options_.cores};
 }

@@ -110,7 +110,7 @@ class Adaptive final : public Evaluator {
   Leaves leaves_;
   std::vector<double> core_;        // of each cell, the largest squared core inside; empty if bare
   std::vector<double> least_core_;  // and the least
-  Lists lists_;
+  InteractionLists lists_;
   LeafRuns leaf_runs_;
   Far far_;
   std::span<const Charge> charges_;  // of far_

@@ -13,7 +13,7 @@ struct Adaptive::Scratch {
   MutualNear bare;
   MutualCores<sums> cored;
   std::vector<tree::Range> runs;
-  Packed sources;
+  PackedSources sources;
 
   void take_sources(const Leaves& leaves) {
     std::size_t most = 0;
@@ -38,7 +38,7 @@ void Adaptive::near_cells(std::uint32_t leaf, bool turning, std::vector<tree::Ra
   const std::uint32_t own = tree_.childless()[leaf];
   const auto add = [&](std::uint32_t c) { runs.push_back(leaves_.places(lists_.leaves(c))); };
   const bool idle = !turning && leaves_.in_one_place(leaf);
-  if (lists_.neighbors(own)[Lists::middle] != nobody && !idle) add(own);
+  if (lists_.neighbors(own)[InteractionLists::middle] != nobody && !idle) add(own);
   lists_.for_each_ahead(own, add);
   lists_.for_each_behind(own, add);
   for (auto c = static_cast<std::int32_t>(own); c != nobody; c = cells[c].parent) {

@@ -4,18 +4,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "fmm/tuning.hpp"
 #include "tree/order/sort.hpp"
 
 namespace vortree::fmm {
-namespace {
-
-/// Targets of one cell that are summed together.
-constexpr std::size_t together = 64;
-
-/// A series must outweigh so many points.
-constexpr std::uint32_t few = 12;
-
-}  // namespace
+namespace {}  // namespace
 
 TargetBox around(const NearTargets& targets) {
   double left = targets.x[0], right = left, bottom = targets.y[0], top = bottom, widest = 0.0;
@@ -32,14 +25,14 @@ TargetBox around(const NearTargets& targets) {
 std::uint32_t Adaptive::holder(double x, double y) const {
   if (tree_.cells().empty()) return outside;
   const auto holds = [&](std::uint32_t c) {
-    const Frame& at = tree_.frame(c);
+    const CellFrame& at = tree_.frame(c);
     return std::abs((x - at.x) - at.x_rest) <= at.side / 2 &&
            std::abs((y - at.y) - at.y_rest) <= at.side / 2;
   };
   if (!holds(0)) return outside;
   std::uint32_t c = 0;
   while (true) {
-    const Frame& at = tree_.frame(c);
+    const CellFrame& at = tree_.frame(c);
     const int right = (x - at.x) - at.x_rest >= 0.0, upper = (y - at.y) - at.y_rest >= 0.0;
     const std::int32_t child = lists_.children(c)[right + 2 * upper];
     if (child == nobody) return c;
@@ -73,7 +66,7 @@ void Adaptive::find_sources(std::uint32_t cell, const TargetBox& box, const Acce
   while (!found.open.empty()) {
     const std::uint32_t c = found.open.back();
     found.open.pop_back();
-    const Frame& at = tree_.frame(c);
+    const CellFrame& at = tree_.frame(c);
     const double half = at.side / 2;
     const double gap_x = std::max(0.0, std::abs(at.x - box.x) - box.half_x - half);
     const double gap_y = std::max(0.0, std::abs(at.y - box.y) - box.half_y - half);
@@ -81,7 +74,7 @@ void Adaptive::find_sources(std::uint32_t cell, const TargetBox& box, const Acce
     const bool hidden = gap_x * gap_x + gap_y * gap_y >= accepted.squared_reach(core, box.core);
     const bool apart = std::max(gap_x, gap_y) >= at.side;
     const DeepCell& here = tree_.cells()[c];
-    if (apart && hidden && here.points.size() > few) {
+    if (apart && hidden && here.points.size() > few_points) {
       found.series.push_back(c);
     } else if (here.childless()) {
       (hidden ? found.near.bare : found.near.cored).push_back(leaves_.places(lists_.leaves(c)));
@@ -99,7 +92,7 @@ namespace {
 std::vector<std::size_t> find_batches(const std::vector<Held>& held) {
   std::vector<std::size_t> first;
   for (std::size_t k = 0; k < held.size(); ++k) {
-    if (k == 0 || held[k].cell != held[k - 1].cell || k - first.back() == together) {
+    if (k == 0 || held[k].cell != held[k - 1].cell || k - first.back() == targets_a_batch) {
       first.push_back(k);
     }
   }
@@ -129,7 +122,7 @@ Lost Adaptive::lost_far(const FarErrors& errors, const FarField<Number>& far, st
   Lost lost;
   if (cell != outside) lost = errors.at(cell);
   for (const std::uint32_t c : found.series) {
-    const Frame& at = tree_.frame(c);
+    const CellFrame& at = tree_.frame(c);
     const double dx = std::max(0.0, std::abs(at.x - box.x) - box.half_x);
     const double dy = std::max(0.0, std::abs(at.y - box.y) - box.half_y);
     lost += errors.of_multipole(far.charges()[c], at.side, dx * dx + dy * dy);

@@ -7,6 +7,7 @@
 #include "fmm/losses/expected.hpp"
 #include "fmm/series/expansion_kernel.hpp"
 #include "fmm/series/lattice_order.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -14,12 +15,12 @@ namespace {
 constexpr int places = 36;  // children of nine families
 
 /// Points as they come: gamma is null for targets.
-struct Run {
+struct LeafPoints {
   const double *x, *y, *gamma;
   std::size_t size;
 };
 
-Run run(const Leaves& leaves, std::uint32_t leaf) {
+LeafPoints points_of(const Leaves& leaves, std::uint32_t leaf) {
   const std::uint32_t first = leaves.start[leaf];
   return {&leaves.points.x[first], &leaves.points.y[first], &leaves.gamma[first],
           leaves.size[leaf]};
@@ -27,19 +28,19 @@ Run run(const Leaves& leaves, std::uint32_t leaf) {
 
 /// `use(points, first)` for some of the points at a time, in the frame of a cell.
 template <class Number, class Use>
-void in_frame(const Run& run, const Frame& frame, Use use) {
+void in_frame(const LeafPoints& some, const CellFrame& frame, Use use) {
   LatticePoints<Number> points;
   constexpr int n = LatticePoints<Number>::n;
   const double per_side = 1 / frame.side;
-  for (std::size_t first = 0; first < run.size; first += most_points) {
-    points.size = static_cast<int>(std::min<std::size_t>(run.size - first, most_points));
+  for (std::size_t first = 0; first < some.size; first += points_a_series) {
+    points.size = static_cast<int>(std::min<std::size_t>(some.size - first, points_a_series));
     points.vectors = (points.size + n - 1) / n;
-    const double *x = run.x + first, *y = run.y + first;
+    const double *x = some.x + first, *y = some.y + first;
     const int whole = static_cast<int>(padded(static_cast<std::size_t>(points.size)));
     for (int j = 0; j < whole; ++j) {
       points.x[j] = static_cast<Number>(((x[j] - frame.x) - frame.x_rest) * per_side);
       points.y[j] = static_cast<Number>(((y[j] - frame.y) - frame.y_rest) * per_side);
-      points.gamma[j] = static_cast<Number>(run.gamma == nullptr ? 0.0 : run.gamma[first + j]);
+      points.gamma[j] = static_cast<Number>(some.gamma == nullptr ? 0.0 : some.gamma[first + j]);
     }
     for (int j = whole; j < points.vectors * n; ++j) {
       points.x[j] = points.x[whole - 1], points.y[j] = points.y[whole - 1], points.gamma[j] = 0;
@@ -98,7 +99,7 @@ FarField<Number>::FarField(const Stage& stage, TranslationTables<Number> tables)
       if (!cells[c].childless()) parents.push_back(c);
     }
     const std::size_t batches = (parents.size() + Families::lanes - 1) / Families::lanes;
-#pragma omp parallel if (batches > 8)
+#pragma omp parallel if (batches > tree::upward_worth_sharing)
     {
       Families families(tables_.order, padded_);
 #pragma omp for schedule(static)
@@ -116,8 +117,8 @@ template <class Number>
 void FarField<Number>::add_points(const Stage& stage, std::uint32_t cell) {
   Number* series = multipole(cell);
   std::fill_n(series, stride(), Number{0});
-  const Frame& at = stage.tree.frame(cell);
-  in_frame<Number>(run(stage.leaves, stage.lists.leaves(cell).first), at,
+  const CellFrame& at = stage.tree.frame(cell);
+  in_frame<Number>(points_of(stage.leaves, stage.lists.leaves(cell).first), at,
                    [&](const LatticePoints<Number>& points, std::size_t) {
                      by_rows<LatticePoints<Number>::n>(points.vectors, [&]<int rows>(int i) {
                        p2m_rows<Number, rows>(points.x + i, points.y + i, points.gamma + i, padded_,
@@ -176,7 +177,7 @@ void FarField<Number>::descend(const Stage& stage) {
       if (!cells[c].childless()) parents.push_back(c);
     }
     const std::size_t batches = (parents.size() + Families::lanes - 1) / Families::lanes;
-#pragma omp parallel if (batches > 1)
+#pragma omp parallel if (batches > tree::downward_worth_sharing)
     {
       Families families(tables_.order, padded_);
 #pragma omp for schedule(dynamic, 4)
@@ -188,7 +189,7 @@ void FarField<Number>::descend(const Stage& stage) {
       }
     }
     const tree::Range below = stage.tree.level(level + 1);
-#pragma omp parallel for schedule(dynamic, 64) if (below.size() > 512)
+#pragma omp parallel for schedule(dynamic, 64) if (below.size() > tree::series_worth_sharing)
     for (std::uint32_t c = below.first; c < below.last; ++c) add_far(stage, c);
   }
 }
@@ -196,7 +197,7 @@ void FarField<Number>::descend(const Stage& stage) {
 template <class Number>
 void FarField<Number>::meet_families(const Stage& stage, Families& families) {
   constexpr int lanes = Families::lanes;
-  const Lists& lists = stage.lists;
+  const InteractionLists& lists = stage.lists;
   const Number* from[lanes];
   bool present[places];
   for (int place = 0; place < places; ++place) {
@@ -252,9 +253,9 @@ template <class Number>
 void FarField<Number>::add_far(const Stage& stage, std::uint32_t cell) {
   const auto far = stage.lists.x(cell);
   if (far.empty()) return;
-  const Frame& at = stage.tree.frame(cell);
+  const CellFrame& at = stage.tree.frame(cell);
   for (const std::uint32_t b : far) {
-    in_frame<Number>(run(stage.leaves, stage.lists.leaves(b).first), at,
+    in_frame<Number>(points_of(stage.leaves, stage.lists.leaves(b).first), at,
                      [&](const LatticePoints<Number>& points, std::size_t) {
                        by_rows<LatticePoints<Number>::n>(points.vectors, [&]<int rows>(int i) {
                          p2l_rows<Number, rows>(points.x + i, points.y + i, points.gamma + i,
@@ -268,12 +269,12 @@ namespace {
 
 /// `rows_of` adds side f in lengths of the cell at some vectors of targets.
 template <class Number, class RowsOf>
-void add_at(const Frame& frame, const NearTargets& targets, RowsOf rows_of) {
+void add_at(const CellFrame& frame, const NearTargets& targets, RowsOf rows_of) {
   constexpr int n = LatticePoints<Number>::n;
   const double per_side = 1 / frame.side;
   in_frame<Number>({targets.x, targets.y, nullptr, targets.size}, frame,
                    [&](const LatticePoints<Number>& points, std::size_t first) {
-                     alignas(64) Number u[most_points], v[most_points];
+                     alignas(64) Number u[points_a_series], v[points_a_series];
                      std::fill_n(u, n * points.vectors, Number{0});
                      std::fill_n(v, n * points.vectors, Number{0});
                      by_rows<n>(points.vectors, [&]<int rows>(int i) {

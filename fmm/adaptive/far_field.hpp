@@ -19,7 +19,7 @@ namespace vortree::fmm {
 /// What the series need to know of the points and cells.
 struct Stage {
   const DeepTree& tree;
-  const Lists& lists;
+  const InteractionLists& lists;
   const Leaves& leaves;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "fmm/field/field_kernel.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -24,11 +25,11 @@ double at_child(const Lanes (&values)[vectors], int q) {
   return values[q / lane_count][q % lane_count];
 }
 
-using Sums = std::array<double, children>;
+using ChildSums = std::array<double, children>;
 
 /// The children of c meet the child in quadrant r of c's neighbor k, where they do not touch it.
 template <class Number>
-void add_v(const SeriesView<Number>& multipole, int k, int r, double log_side2, Sums& sums) {
+void add_v(const SeriesView<Number>& multipole, int k, int r, double log_side2, ChildSums& sums) {
   const int x = 2 * (k % 3 - 1) + r % 2, y = 2 * (k / 3 - 1) + r / 2;
   Complexes t[vectors];
   Lanes values[vectors];
@@ -41,7 +42,7 @@ void add_v(const SeriesView<Number>& multipole, int k, int r, double log_side2, 
 }
 
 double sum_x(const Stage& stage, std::uint32_t c) {
-  const Frame& at = stage.tree.frame(c);
+  const CellFrame& at = stage.tree.frame(c);
   const SortedPoints& points = stage.leaves.points;
   Lanes total{};
   for (const std::uint32_t b : stage.lists.x(c)) {
@@ -58,16 +59,16 @@ double sum_x(const Stage& stage, std::uint32_t c) {
 template <class Number>
 void add_family(const Stage& stage, const FarField<Number>& far, std::uint32_t parent,
                 std::vector<double>& centres) {
-  const Lists& lists = stage.lists;
+  const InteractionLists& lists = stage.lists;
   const double log_side2 = 2 * std::log(stage.tree.frame(parent).side / 2);
   Complexes t[vectors];
   Lanes values[vectors];
   place_children(0.5, 0.5, 0.5, t);
   log_of_local<vectors>(local_integral(far.view_local(parent)), t, values);
-  Sums sums;
+  ChildSums sums;
   for (int q = 0; q < children; ++q) sums[q] = centres[parent] + at_child(values, q);
   for (int k = 0; k < 9; ++k) {
-    if (k == Lists::middle || !lists.open(parent, k)) continue;
+    if (k == InteractionLists::middle || !lists.open(parent, k)) continue;
     const std::int32_t neighbor = lists.neighbors(parent)[k];
     for (int r = 0; r < children; ++r) {
       const std::int32_t child = lists.children(neighbor)[r];
@@ -89,7 +90,7 @@ std::vector<double> stream_constants(const Stage& stage, const FarField<Number>&
   std::vector<double> centres(cells.size(), 0.0);
   for (int level = 0; level < stage.tree.depth(); ++level) {
     const tree::Range range = stage.tree.level(level);
-#pragma omp parallel for schedule(dynamic, 64) if (range.size() > 512)
+#pragma omp parallel for schedule(dynamic, 64) if (range.size() > tree::series_worth_sharing)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       if (!cells[c].childless()) add_family(stage, far, c, centres);
     }

@@ -4,26 +4,25 @@
 #include <cmath>
 #include <numeric>
 
+#include "fmm/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
 
-/// Near sums with cores cost more a pair, but share more of their work among the targets of a leaf;
-/// both optima are flat (half to twice the capacity costs less than a tenth).
-constexpr std::uint32_t bare_capacity = 64, cored_capacity = 96;
-
 Options resolve(Options options, const Blobs& blobs) {
   if (options.capacity == 0)
-    options.capacity = blobs.sigma.empty() ? bare_capacity : cored_capacity;
+    options.capacity = blobs.sigma.empty() ? boxes_bare_capacity : boxes_cored_capacity;
   options.tolerance = std::max(options.tolerance, least_tolerance);
   return options;
 }
 
-Growth grown(const Options& options) {
+TreeOptions grown(const Options& options) {
   return {options.capacity, options.finest_level, options.builder};
 }
 
-Order choose_order(const Options& options) {
-  return options.order > 0 ? Order::fixed(options.order) : Order::for_tolerance(options.tolerance);
+SeriesOrder choose_order(const Options& options) {
+  return options.order > 0 ? SeriesOrder::fixed(options.order)
+                           : SeriesOrder::for_tolerance(options.tolerance);
 }
 
 bool any_core(const Arrangement& made) {
@@ -53,7 +52,7 @@ Boxes::Boxes(const Blobs& blobs, const Units& units, const Options& options, con
       multipoles_(announced(phase, "upward", blobs_.tree), blobs_.shapes, blobs_.points, gamma_,
                   order_.most(), coarse(options_)) {}
 
-Growth Boxes::growth() const {
+TreeOptions Boxes::growth() const {
   return grown(options_);
 }
 

@@ -39,11 +39,11 @@ class Boxes final : public Evaluator {
   [[nodiscard]] BlobColumns blobs() const override;
 
  private:
-  [[nodiscard]] Growth growth() const;
+  [[nodiscard]] TreeOptions growth() const;
   [[nodiscard]] bool cored(const Arrangement& targets) const;
   [[nodiscard]] Acceptance acceptance(bool cored) const;
   template <class Field>
-  Expected evaluate_field(const Field& field, const Order& order, const Arrangement& at,
+  Expected evaluate_field(const Field& field, const SeriesOrder& order, const Arrangement& at,
                           std::array<double*, 3> results) const;
   Expected gradient_at(const Arrangement& targets, std::span<double> ux, std::span<double> uy,
                        std::span<double> vx) const;
@@ -53,7 +53,7 @@ class Boxes final : public Evaluator {
   Options options_;
   Phase phase_;
   Units units_;
-  Order order_;
+  SeriesOrder order_;
   Arrangement blobs_;
   Reals gamma_;
   Multipoles multipoles_;

@@ -7,12 +7,10 @@
 #include "fmm/boxes/batch.hpp"
 #include "fmm/boxes/far.hpp"
 #include "fmm/near/near.hpp"
+#include "fmm/tuning.hpp"
 
 namespace vortree::fmm {
 namespace {
-
-/// Leaves share their far cells in blocks of at most so many targets.
-constexpr std::uint32_t block_size = 256;
 
 /// What a thread needs for one block, kept for the next one.
 struct Scratch {
@@ -23,7 +21,7 @@ struct Scratch {
   Batch block, leaf;
 };
 
-/// A cell of the target tree with no more than block_size targets, or childless; its leaves.
+/// A cell of the target tree with no more than targets_a_block targets, or childless; its leaves.
 struct BlockOfLeaves {
   std::uint32_t cell, first, last;
 };
@@ -34,7 +32,7 @@ std::vector<BlockOfLeaves> gather_blocks(const tree::Quadtree& tree) {
   std::vector<BlockOfLeaves> blocks;
   for (std::uint32_t k = 0; k < leaves.size(); ++k) {
     std::uint32_t c = leaves[k];
-    while (cells[c].parent >= 0 && cells[cells[c].parent].points.size() <= block_size) {
+    while (cells[c].parent >= 0 && cells[cells[c].parent].points.size() <= targets_a_block) {
       c = static_cast<std::uint32_t>(cells[c].parent);
     }
     if (blocks.empty() || blocks.back().cell != c) blocks.push_back({c, k, k});
@@ -45,7 +43,7 @@ std::vector<BlockOfLeaves> gather_blocks(const tree::Quadtree& tree) {
 
 /// What it is expected to lose at a target.
 template <class Pair>
-Lost evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint32_t leaf,
+Lost evaluate_leaf(const ArrangedSources& sources, const Arrangement& targets, std::uint32_t leaf,
                    const Acceptance& acceptance, bool coarse, Scratch& scratch) {
   const tree::Range range = targets.tree.cells()[leaf].points;
   const TargetBox target = box(targets.shapes, leaf);
@@ -65,7 +63,7 @@ Lost evaluate_leaf(const Sources& sources, const Arrangement& targets, std::uint
 }
 
 template <class Pair>
-Expected evaluate_block(const Sources& sources, const Arrangement& targets,
+Expected evaluate_block(const ArrangedSources& sources, const Arrangement& targets,
                         const BlockOfLeaves& block, const Acceptance& acceptance, bool coarse,
                         Scratch& scratch, std::span<double> u, std::span<double> v) {
   const auto cells = targets.tree.cells();
@@ -94,7 +92,7 @@ Expected evaluate_block(const Sources& sources, const Arrangement& targets,
 }
 
 template <class Pair>
-Expected evaluate_with(const Sources& sources, const Arrangement& targets,
+Expected evaluate_with(const ArrangedSources& sources, const Arrangement& targets,
                        const Acceptance& acceptance, bool coarse, std::span<double> u,
                        std::span<double> v) {
   const std::vector<BlockOfLeaves> blocks = gather_blocks(targets.tree);
@@ -113,8 +111,9 @@ Expected evaluate_with(const Sources& sources, const Arrangement& targets,
 
 }  // namespace
 
-Expected evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
-                  bool coarse, std::span<double> u, std::span<double> v) {
+Expected evaluate(const ArrangedSources& sources, const Arrangement& targets,
+                  const Acceptance& acceptance, bool coarse, std::span<double> u,
+                  std::span<double> v) {
   if (acceptance.reach2 == 0.0) {
     return evaluate_with<BarePair>(sources, targets, acceptance, coarse, u, v);
   }
@@ -125,7 +124,8 @@ Expected evaluate(const Sources& sources, const Arrangement& targets, const Acce
   return expected;
 }
 
-Work count_work(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance) {
+Work count_work(const ArrangedSources& sources, const Arrangement& targets,
+                const Acceptance& acceptance) {
   Work work;
   Scratch scratch;
   const auto add = [&](std::span<const SeriesCell> series, std::uint64_t n) {

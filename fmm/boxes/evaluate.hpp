@@ -11,7 +11,7 @@
 namespace vortree::fmm {
 
 /// Sources as the evaluation reads them: gamma in the order of the arrangement.
-struct Sources {
+struct ArrangedSources {
   const Arrangement& at;
   const Multipoles& multipoles;
   std::span<const double> gamma;
@@ -26,11 +26,12 @@ struct Sources {
 /// returns  what was found, and what of it is expected to be lost
 /// Each block of leaves is summed by one thread in a fixed order: the result does not depend on the
 /// threads.
-Expected evaluate(const Sources& sources, const Arrangement& targets, const Acceptance& acceptance,
-                  bool coarse, std::span<double> u, std::span<double> v);
+Expected evaluate(const ArrangedSources& sources, const Arrangement& targets,
+                  const Acceptance& acceptance, bool coarse, std::span<double> u,
+                  std::span<double> v);
 
 /// The work of evaluate(), counted.
-[[nodiscard]] Work count_work(const Sources& sources, const Arrangement& targets,
+[[nodiscard]] Work count_work(const ArrangedSources& sources, const Arrangement& targets,
                               const Acceptance& acceptance);
 
 }  // namespace vortree::fmm

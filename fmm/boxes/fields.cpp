@@ -13,7 +13,7 @@ namespace vortree::fmm {
 
 /// Each leaf of the targets' tree looks for its own series and near sources, from the root on.
 template <class Field>
-Expected Boxes::evaluate_field(const Field& field, const Order& order, const Arrangement& at,
+Expected Boxes::evaluate_field(const Field& field, const SeriesOrder& order, const Arrangement& at,
                                std::array<double*, 3> results) const {
   const std::size_t n = at.points.size();
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], n, 0.0);
@@ -42,8 +42,8 @@ Expected Boxes::evaluate_field(const Field& field, const Order& order, const Arr
       }
       find_interactions(blobs_.tree, blobs_.shapes, around, accepted, root, found);
       for (const SeriesCell met : found.series) {
-        const Frame frame{blobs_.shapes.x[met.cell], blobs_.shapes.y[met.cell], 0.0, 0.0,
-                          scale(blobs_.shapes, met.cell)};
+        const CellFrame frame{blobs_.shapes.x[met.cell], blobs_.shapes.y[met.cell], 0.0, 0.0,
+                              scale(blobs_.shapes, met.cell)};
         field.add_multipole(SeriesView<double>{multipoles_.real(met.cell),
                                                multipoles_.imaginary(met.cell), met.terms},
                             frame, some);
@@ -68,8 +68,9 @@ Expected Boxes::gradient_at(const Arrangement& targets, std::span<double> ux, st
                             std::span<double> vx) const {
   if (phase_) phase_("evaluate");
   const int terms = order_.most();
-  const Order order =
-      options_.order > 0 ? order_ : Order::fixed(terms, slope_ratio(options_.tolerance, terms));
+  const SeriesOrder order = options_.order > 0
+                                ? order_
+                                : SeriesOrder::fixed(terms, slope_ratio(options_.tolerance, terms));
   const Expected expected =
       evaluate_field(Gradient{}, order, targets, {uy.data(), ux.data(), vx.data()});
   units_.check_range(expected.found, targets.points.size(), 1);

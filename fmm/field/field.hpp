@@ -50,13 +50,14 @@ struct Gradient {
   static double reach2(double tolerance);
 
   template <class Number>
-  void add_multipole(const SeriesView<Number>& multipole, const Frame& at,
+  void add_multipole(const SeriesView<Number>& multipole, const CellFrame& at,
                      const FieldTargets& targets) const;
   template <class Number>
-  void add_local(const SeriesView<Number>& local, const Frame& at, std::uint32_t cell,
+  void add_local(const SeriesView<Number>& local, const CellFrame& at, std::uint32_t cell,
                  const FieldTargets& targets) const;
-  void add_bare(const Packed& sources, const FieldTargets& targets) const;
-  void add_cored(const Packed& sources, CoreShares shares, const FieldTargets& targets) const;
+  void add_bare(const PackedSources& sources, const FieldTargets& targets) const;
+  void add_cored(const PackedSources& sources, CoreShares shares,
+                 const FieldTargets& targets) const;
 };
 
 /// What Plan::stream_function sums, in Units:
@@ -79,13 +80,14 @@ struct StreamFunction {
   std::span<const double> centres;
 
   template <class Number>
-  void add_multipole(const SeriesView<Number>& multipole, const Frame& at,
+  void add_multipole(const SeriesView<Number>& multipole, const CellFrame& at,
                      const FieldTargets& targets) const;
   template <class Number>
-  void add_local(const SeriesView<Number>& local, const Frame& at, std::uint32_t cell,
+  void add_local(const SeriesView<Number>& local, const CellFrame& at, std::uint32_t cell,
                  const FieldTargets& targets) const;
-  void add_bare(const Packed& sources, const FieldTargets& targets) const;
-  void add_cored(const Packed& sources, CoreShares shares, const FieldTargets& targets) const;
+  void add_bare(const PackedSources& sources, const FieldTargets& targets) const;
+  void add_cored(const PackedSources& sources, CoreShares shares,
+                 const FieldTargets& targets) const;
 };
 
 /// ln r^2 of the user's unit length, in Units.

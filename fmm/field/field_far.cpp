@@ -10,7 +10,7 @@ namespace {
 
 /// `act<rows>(first, t)` for all targets, up to four vectors at a time, t = (z - centre)/side.
 template <class Act>
-void in_frame(const Frame& at, const FieldTargets& targets, Act act) {
+void in_frame(const CellFrame& at, const FieldTargets& targets, Act act) {
   const double per_side = 1.0 / at.side;
   by_rows<lane_count>(
       static_cast<int>(padded(targets.size) / lane_count), [&]<int rows>(int first) {
@@ -31,7 +31,7 @@ void add(double* sum, Lanes value) {
 }  // namespace
 
 template <class Number>
-void Gradient::add_multipole(const SeriesView<Number>& multipole, const Frame& at,
+void Gradient::add_multipole(const SeriesView<Number>& multipole, const CellFrame& at,
                              const FieldTargets& targets) const {
   const PowerSeries slope = multipole_slope(multipole);
   const double per_side = 1.0 / at.side;
@@ -49,7 +49,7 @@ void Gradient::add_multipole(const SeriesView<Number>& multipole, const Frame& a
 }
 
 template <class Number>
-void Gradient::add_local(const SeriesView<Number>& local, const Frame& at, std::uint32_t,
+void Gradient::add_local(const SeriesView<Number>& local, const CellFrame& at, std::uint32_t,
                          const FieldTargets& targets) const {
   const PowerSeries slope = local_slope(local);
   const double per_side = 1.0 / at.side;
@@ -64,7 +64,7 @@ void Gradient::add_local(const SeriesView<Number>& local, const Frame& at, std::
 }
 
 template <class Number>
-void StreamFunction::add_multipole(const SeriesView<Number>& multipole, const Frame& at,
+void StreamFunction::add_multipole(const SeriesView<Number>& multipole, const CellFrame& at,
                                    const FieldTargets& targets) const {
   const PowerSeries integral = multipole_integral(multipole);
   const double log_side2 = 2 * std::log(at.side);
@@ -76,8 +76,8 @@ void StreamFunction::add_multipole(const SeriesView<Number>& multipole, const Fr
 }
 
 template <class Number>
-void StreamFunction::add_local(const SeriesView<Number>& local, const Frame& at, std::uint32_t cell,
-                               const FieldTargets& targets) const {
+void StreamFunction::add_local(const SeriesView<Number>& local, const CellFrame& at,
+                               std::uint32_t cell, const FieldTargets& targets) const {
   const PowerSeries integral = local_integral(local);
   in_frame(at, targets, [&]<int rows>(int first, const Complexes(&t)[rows]) {
     Lanes sum[rows];
@@ -91,13 +91,13 @@ void StreamFunction::add_local(const SeriesView<Number>& local, const Frame& at,
 using Doubles = SeriesView<double>;
 using Floats = SeriesView<float>;
 using At = const FieldTargets&;
-template void Gradient::add_multipole(const Doubles&, const Frame&, At) const;
-template void Gradient::add_multipole(const Floats&, const Frame&, At) const;
-template void Gradient::add_local(const Doubles&, const Frame&, std::uint32_t, At) const;
-template void Gradient::add_local(const Floats&, const Frame&, std::uint32_t, At) const;
-template void StreamFunction::add_multipole(const Doubles&, const Frame&, At) const;
-template void StreamFunction::add_multipole(const Floats&, const Frame&, At) const;
-template void StreamFunction::add_local(const Doubles&, const Frame&, std::uint32_t, At) const;
-template void StreamFunction::add_local(const Floats&, const Frame&, std::uint32_t, At) const;
+template void Gradient::add_multipole(const Doubles&, const CellFrame&, At) const;
+template void Gradient::add_multipole(const Floats&, const CellFrame&, At) const;
+template void Gradient::add_local(const Doubles&, const CellFrame&, std::uint32_t, At) const;
+template void Gradient::add_local(const Floats&, const CellFrame&, std::uint32_t, At) const;
+template void StreamFunction::add_multipole(const Doubles&, const CellFrame&, At) const;
+template void StreamFunction::add_multipole(const Floats&, const CellFrame&, At) const;
+template void StreamFunction::add_local(const Doubles&, const CellFrame&, std::uint32_t, At) const;
+template void StreamFunction::add_local(const Floats&, const CellFrame&, std::uint32_t, At) const;
 
 }  // namespace vortree::fmm

@@ -39,7 +39,7 @@ struct Pairs {
   Lanes dx[rows], dy[rows], r2[rows];
   Lanes gamma;
 
-  Pairs(const Packed& sources, std::size_t j, const FieldTargets& targets, std::size_t first)
+  Pairs(const PackedSources& sources, std::size_t j, const FieldTargets& targets, std::size_t first)
       : gamma(load(sources.gamma() + j)) {
     const Lanes x = load(sources.x() + j), y = load(sources.y() + j);
     for (int i = 0; i < rows; ++i) {
@@ -72,7 +72,8 @@ struct Strain {
 };
 
 template <int rows>
-inline void gradient_bare(const Packed& sources, const FieldTargets& targets, std::size_t first) {
+inline void gradient_bare(const PackedSources& sources, const FieldTargets& targets,
+                          std::size_t first) {
   Strain<rows> strain;
   for (std::size_t j = 0; j < sources.size(); j += lane_count) {
     const Pairs<rows> pairs(sources, j, targets, first);
@@ -87,8 +88,8 @@ inline void gradient_bare(const Packed& sources, const FieldTargets& targets, st
 /// With d = 1/(r^2 S), 1/S = r^2 d and 1/r^2 = S d. Where q is small, 1 - (1 + q) exp(-q) is the
 /// small difference of core(q) and q exp(-q), wrong by the last bit of q: by that of the rotation.
 template <int rows>
-inline void gradient_cored(const Packed& sources, CoreShares shares, const FieldTargets& targets,
-                           std::size_t first) {
+inline void gradient_cored(const PackedSources& sources, CoreShares shares,
+                           const FieldTargets& targets, std::size_t first) {
   Strain<rows> strain;
   Lanes rotation[rows] = {};
   for (std::size_t j = 0; j < sources.size(); j += lane_count) {
@@ -109,7 +110,7 @@ inline void gradient_cored(const Packed& sources, CoreShares shares, const Field
 }
 
 template <int rows>
-inline void stream_bare(const Packed& sources, double unit, const FieldTargets& targets,
+inline void stream_bare(const PackedSources& sources, double unit, const FieldTargets& targets,
                         std::size_t first) {
   Lanes total[rows] = {};
   for (std::size_t j = 0; j < sources.size(); j += lane_count) {
@@ -124,7 +125,7 @@ inline void stream_bare(const Packed& sources, double unit, const FieldTargets& 
 
 /// ln r^2 + E1(q) as ln S + core_log(q) where the core shows.
 template <int rows>
-inline void stream_cored(const Packed& sources, CoreShares shares, double unit,
+inline void stream_cored(const PackedSources& sources, CoreShares shares, double unit,
                          const FieldTargets& targets, std::size_t first) {
   const CoreLog& core_log = CoreLog::table();
   Lanes total[rows] = {};

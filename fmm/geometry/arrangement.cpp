@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "fmm/tuning.hpp"
+#include "tree/base/tuning.hpp"
 #include "tree/build/build_forward.hpp"
 #include "tree/build/build_reverse.hpp"
 
@@ -11,12 +13,11 @@ namespace {
 /// to[j] = scaled(from[order[j]]), asking memory for what comes some steps later.
 template <class Scale>
 Reals gather(std::span<const std::uint32_t> order, std::span<const double> from, Scale scaled) {
-  constexpr std::size_t ahead = 48;
   const std::size_t n = order.size();
   Reals to(n);
-#pragma omp parallel for schedule(static) if (n > 20000)
+#pragma omp parallel for schedule(static) if (n > tree::records_worth_sharing)
   for (std::size_t j = 0; j < n; ++j) {
-    if (j + ahead < n) __builtin_prefetch(&from[order[j + ahead]]);
+    if (j + gathered_ahead < n) __builtin_prefetch(&from[order[j + gathered_ahead]]);
     to[j] = scaled(from[order[j]]);
   }
   return to;
@@ -29,7 +30,7 @@ tree::Quadtree build(tree::MortonOrder order, const tree::SplitRule& rule, Build
                                      : tree::build_forward(std::move(order), rule);
 }
 
-Arrangement arrange(const Targets& points, const Units& units, const Growth& growth) {
+Arrangement arrange(const Targets& points, const Units& units, const TreeOptions& growth) {
   const auto position = [units](double x) { return units.position(x); };
   const auto core = [units](double sigma) { return units.squared_core(sigma); };
   const tree::Points places{points.x, points.y};

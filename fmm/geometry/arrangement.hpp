@@ -27,13 +27,14 @@ struct Arrangement {
 };
 
 /// How a tree is grown: cells of more than `capacity` points split, down to `finest_level`.
-struct Growth {
+struct TreeOptions {
   std::uint32_t capacity;
   int finest_level = tree::max_level;
   Builder builder = Builder::reverse;
 };
 
-[[nodiscard]] Arrangement arrange(const Targets& points, const Units& units, const Growth& growth);
+[[nodiscard]] Arrangement arrange(const Targets& points, const Units& units,
+                                  const TreeOptions& growth);
 
 /// Circulations in the order of the tree, in Units.
 [[nodiscard]] Reals arrange_gamma(const tree::Quadtree& tree, std::span<const double> gamma,

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tree/base/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
 
-constexpr std::uint32_t alone = 2048;  // cells of a level that one thread had better do alone
-
-struct Shape {
-  Box box;
+struct CellShape {
+  BoundingBox box;
   double core;
 };
 
-Shape around(const SortedPoints& points, tree::Range range) {
-  Shape shape{
+CellShape around(const SortedPoints& points, tree::Range range) {
+  CellShape shape{
       {points.x[range.first], points.x[range.first], points.y[range.first], points.y[range.first]},
       0.0};
   for (std::uint32_t j = range.first; j < range.last; ++j) {
@@ -24,8 +24,9 @@ Shape around(const SortedPoints& points, tree::Range range) {
   return shape;
 }
 
-Shape around_children(const std::vector<Box>& boxes, const Reals& core, tree::Range children) {
-  Shape shape{boxes[children.first], core[children.first]};
+CellShape around_children(const std::vector<BoundingBox>& boxes, const Reals& core,
+                          tree::Range children) {
+  CellShape shape{boxes[children.first], core[children.first]};
   for (std::uint32_t child = children.first; child < children.last; ++child) {
     shape.box.include(boxes[child]);
     shape.core = std::max(shape.core, core[child]);
@@ -39,21 +40,21 @@ CellShapes::CellShapes(const tree::Quadtree& tree, const SortedPoints& points) {
   for (auto* values : {&x, &y, &half_x, &half_y, &radius, &core}) {
     values->resize(tree.cells().size());
   }
-  std::vector<Box> boxes(tree.cells().size());
+  std::vector<BoundingBox> boxes(tree.cells().size());
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range cells = tree.level(level);
-#pragma omp parallel for schedule(static) if (cells.size() > alone)
+#pragma omp parallel for schedule(static) if (cells.size() > tree::cells_worth_sharing)
     for (std::uint32_t c = cells.first; c < cells.last; ++c) {
       const tree::Cell& cell = tree.cells()[c];
-      const Shape shape = cell.childless() ? around(points, cell.points)
-                                           : around_children(boxes, core, cell.children);
+      const CellShape shape = cell.childless() ? around(points, cell.points)
+                                               : around_children(boxes, core, cell.children);
       boxes[c] = shape.box;
       set(c, shape.box, shape.core);
     }
   }
 }
 
-void CellShapes::set(std::size_t c, const Box& box, double largest_core) {
+void CellShapes::set(std::size_t c, const BoundingBox& box, double largest_core) {
   x[c] = 0.5 * (box.left + box.right), y[c] = 0.5 * (box.bottom + box.top);
   half_x[c] = std::max(box.right - x[c], x[c] - box.left);
   half_y[c] = std::max(box.top - y[c], y[c] - box.bottom);

@@ -15,10 +15,10 @@ struct SortedPoints {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
-struct Box {
+struct BoundingBox {
   double left, right, bottom, top;
 
-  void include(const Box& other) {
+  void include(const BoundingBox& other) {
     left = std::min(left, other.left), right = std::max(right, other.right);
     bottom = std::min(bottom, other.bottom), top = std::max(top, other.top);
   }
@@ -38,7 +38,7 @@ struct CellShapes {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 
  private:
-  void set(std::size_t cell, const Box& box, double largest_core);
+  void set(std::size_t cell, const BoundingBox& box, double largest_core);
 };
 
 }  // namespace vortree::fmm

@@ -5,16 +5,15 @@
 #include <cmath>
 #include <utility>
 
+#include "fmm/tuning.hpp"
 #include "tree/base/parallel.hpp"
+#include "tree/base/tuning.hpp"
 #include "tree/order/encode_kernel.hpp"
 #include "tree/order/radix_sort.hpp"
 #include "tree/order/run_sort.hpp"
 
 namespace vortree::fmm {
 namespace {
-
-constexpr std::uint32_t alone = 2048;   // cells or points that one thread had better do alone
-constexpr std::uint32_t portion = 512;  // points that are encoded at a time
 
 /// a + b = sum + rest, exactly (Knuth).
 void two_sum(double a, double b, double& sum, double& rest) {
@@ -30,26 +29,25 @@ void move(double x, double rest, double step, double& moved, double& moved_rest)
   two_sum(sum, lost + rest, moved, moved_rest);
 }
 
-Frame child_frame(const Frame& parent, int quadrant) {
+CellFrame child_frame(const CellFrame& parent, int quadrant) {
   const double step = parent.side / 4;
-  Frame child;
+  CellFrame child;
   move(parent.x, parent.x_rest, quadrant % 2 == 0 ? -step : step, child.x, child.x_rest);
   move(parent.y, parent.y_rest, quadrant / 2 == 0 ? -step : step, child.y, child.y_rest);
   child.side = 2 * step;
   return child;
 }
 
-/// Codes of the first n vortices of the order, at most `portion`, in the frame of their cell.
-void encode_in(const Frame& at, std::span<const Vortex> vortices,
+/// Codes of the first n vortices of the order, at most `encoded_deep`, in the frame of their cell.
+void encode_in(const CellFrame& at, std::span<const Vortex> vortices,
                std::span<const std::uint32_t> order, std::size_t n, tree::Key* keys) {
-  constexpr std::size_t ahead = 32;  // places to ask memory for in advance
-  constexpr tree::kernel::Axis axis{-0.5, 0.5, 0x1p31};
-  std::array<double, portion> x, y;
+  constexpr tree::kernel::DomainAxis axis{-0.5, 0.5, 0x1p31};
+  std::array<double, encoded_deep> x, y;
   const auto local = [&](double value, double centre, double rest) {
     return std::clamp(((value - centre) - rest) / at.side, -0.5, 0.5);
   };
   for (std::size_t j = 0; j < n; ++j) {
-    __builtin_prefetch(&vortices[order[std::min(j + ahead, order.size() - 1)]]);
+    __builtin_prefetch(&vortices[order[std::min(j + encoded_ahead, order.size() - 1)]]);
     x[j] = local(vortices[order[j]].x, at.x, at.x_rest);
     y[j] = local(vortices[order[j]].y, at.y, at.y_rest);
   }
@@ -90,7 +88,7 @@ double DeepTree::side(int level) const {
 void DeepTree::take(const tree::Quadtree& base) {
   const auto cells = base.cells();
   cells_.resize(cells.size());
-#pragma omp parallel for schedule(static) if (cells.size() > alone)
+#pragma omp parallel for schedule(static) if (cells.size() > tree::cells_worth_sharing)
   for (std::size_t c = 0; c < cells.size(); ++c) {
     const tree::Cell& from = cells[c];
     cells_[c] = {from.level, static_cast<int>(from.key & 3), from.parent, from.children,
@@ -110,14 +108,14 @@ void DeepTree::set_frames(int from, const tree::Domain& domain, const Units& uni
   frames_.resize(cells_.size());
   if (from == 0) {
     const double half = domain.side / 2 * units.per_length;
-    Frame& root = frames_[0];
+    CellFrame& root = frames_[0];
     root.side = 2 * half;
     two_sum(domain.x0 * units.per_length, half, root.x, root.x_rest);
     two_sum(domain.y0 * units.per_length, half, root.y, root.y_rest);
   }
   for (int l = std::max(from, 1); l <= depth(); ++l) {
     const tree::Range range = level(l);
-#pragma omp parallel for schedule(static) if (range.size() > alone)
+#pragma omp parallel for schedule(static) if (range.size() > tree::cells_worth_sharing)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       frames_[c] = child_frame(frames_[cells_[c].parent], cells_[c].quadrant);
     }
@@ -150,7 +148,7 @@ Unwritten<tree::Key> DeepTree::sort(const Grafts& grafts, std::span<const Vortex
   for (std::size_t g = 0; g < grafts.cells.size(); ++g) {
     if (grafts.large(g)) tree::radix_sort(keys_of(g), order_of(g));
   }
-#pragma omp parallel if (grafts.points() > alone)
+#pragma omp parallel if (grafts.points() > tree::deep_points_worth_sharing)
   {
     tree::RunSort sort_run;
 #pragma omp for schedule(dynamic, 16)
@@ -170,9 +168,9 @@ Unwritten<tree::Key> DeepTree::encode(const Grafts& grafts,
                                       std::span<const Vortex> vortices) const {
   const std::uint32_t n = grafts.points();
   Unwritten<tree::Key> keys(n);
-#pragma omp parallel for schedule(static) if (n > alone)
-  for (std::uint32_t begin = 0; begin < n; begin += portion) {
-    const std::uint32_t end = std::min(n, begin + portion);
+#pragma omp parallel for schedule(static) if (n > tree::deep_points_worth_sharing)
+  for (std::uint32_t begin = 0; begin < n; begin += encoded_deep) {
+    const std::uint32_t end = std::min(n, begin + encoded_deep);
     std::size_t g = grafts.holder(begin);
     for (std::uint32_t first = begin; first < end; ++g) {
       const std::uint32_t last = std::min(end, grafts.runs[g].last);
@@ -196,7 +194,7 @@ void DeepTree::append(const Grafts& grafts, const tree::Assembly& forest) {
     const tree::Range children = forest.cells[g].children;
     cells_[grafts.cells[g]].children = {moved(children.first), moved(children.last)};
   }
-#pragma omp parallel for schedule(static) if (forest.cells.size() > alone)
+#pragma omp parallel for schedule(static) if (forest.cells.size() > tree::cells_worth_sharing)
   for (std::uint32_t c = roots; c < forest.cells.size(); ++c) {
     const tree::Cell& from = forest.cells[c];
     const std::size_t g = grafts.holder(from.points.first);
@@ -232,7 +230,7 @@ void DeepTree::append(const Grafts& grafts, const tree::Assembly& forest) {
 }
 
 std::size_t DeepTree::bytes() const {
-  return cells_.capacity() * (sizeof(DeepCell) + sizeof(Frame)) +
+  return cells_.capacity() * (sizeof(DeepCell) + sizeof(CellFrame)) +
          sizeof(std::uint32_t) *
              (level_first_.capacity() + childless_.capacity() + order_.capacity());
 }

@@ -12,7 +12,7 @@
 
 namespace vortree::fmm {
 
-/// A cell as the sums see it: a tree::Cell without its place, which Frame tells.
+/// A cell as the sums see it: a tree::Cell without its place, which CellFrame tells.
 struct DeepCell {
   int level = 0, quadrant = 0;
   std::int32_t parent = -1;
@@ -22,7 +22,7 @@ struct DeepCell {
 
 /// A cell in Units. The centre is x + x_rest, y + y_rest to twice the digits of a double: in a deep
 /// cell far from the origin its rounding would show.
-struct Frame {
+struct CellFrame {
   double x, y, x_rest, y_rest, side;
 };
 
@@ -41,7 +41,7 @@ class DeepTree {
            std::uint32_t capacity, bool deepen);
 
   [[nodiscard]] std::span<const DeepCell> cells() const { return cells_; }
-  [[nodiscard]] const Frame& frame(std::size_t cell) const { return frames_[cell]; }
+  [[nodiscard]] const CellFrame& frame(std::size_t cell) const { return frames_[cell]; }
   [[nodiscard]] tree::Range level(int l) const { return {level_first_[l], level_first_[l + 1]}; }
   [[nodiscard]] int depth() const { return static_cast<int>(level_first_.size()) - 2; }
   /// Side of the cells of a level, in Units.
@@ -64,7 +64,7 @@ class DeepTree {
   void append(const Grafts& grafts, const tree::Assembly& forest);
 
   Unwritten<DeepCell> cells_;
-  Unwritten<Frame> frames_;
+  Unwritten<CellFrame> frames_;
   Unwritten<std::uint32_t> childless_, order_;
   std::vector<std::uint32_t> level_first_{0};
 };

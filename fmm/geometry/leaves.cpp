@@ -2,16 +2,10 @@
 
 #include <algorithm>
 
+#include "fmm/tuning.hpp"
 #include "tree/base/simd.hpp"
 
 namespace vortree::fmm {
-namespace {
-
-constexpr std::size_t ahead = 48;  // places to ask memory for in advance
-constexpr std::uint32_t crowd = 256;
-
-}  // namespace
-
 Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool cored,
                std::size_t whole) {
   number(tree, cored ? lane_count : whole);
@@ -26,7 +20,7 @@ Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool core
     const tree::Range run = cells[childless[leaf]].points;
     std::uint32_t to = start[leaf];
     for (std::uint32_t j = run.first; j < run.last; ++j, ++to) {
-      __builtin_prefetch(&vortices[order[std::min(j + ahead, order.size() - 1)]]);
+      __builtin_prefetch(&vortices[order[std::min(j + gathered_ahead, order.size() - 1)]]);
       const Vortex& vortex = vortices[order[j]];
       x[to] = vortex.x, y[to] = vortex.y, gamma[to] = vortex.gamma;
       if (cored) core[to] = vortex.core;
@@ -53,7 +47,7 @@ void Leaves::number(const DeepTree& tree, std::size_t whole) {
 }
 
 bool Leaves::in_one_place(std::uint32_t leaf) const {
-  if (size[leaf] < crowd) return false;
+  if (size[leaf] < crowd_in_one_place) return false;
   const std::uint32_t first = start[leaf], last = first + size[leaf];
   const auto all_equal = [&](const Reals& values) {
     return std::all_of(values.begin() + first, values.begin() + last,

@@ -6,14 +6,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tree/base/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
 
-constexpr std::size_t many = 50000;  // values that threads share
-
 double largest(std::span<const double> values) {
   double most = 0.0;
-#pragma omp parallel for simd reduction(max : most) if (values.size() > many)
+#pragma omp parallel for simd reduction(max : most) if (values.size() > tree::values_worth_sharing)
   for (std::size_t i = 0; i < values.size(); ++i) most = std::max(most, std::abs(values[i]));
   return most;
 }
@@ -21,7 +21,10 @@ double largest(std::span<const double> values) {
 double extent(std::span<const double> values) {
   if (values.empty()) return 0.0;
   double low = values[0], high = values[0];
-#pragma omp parallel for simd reduction(min : low) reduction(max : high) if (values.size() > many)
+#pragma omp parallel for simd reduction(min    \
+                                        : low) \
+    reduction(max                              \
+              : high) if (values.size() > tree::values_worth_sharing)
   for (std::size_t i = 0; i < values.size(); ++i) {
     low = std::min(low, values[i]);
     high = std::max(high, values[i]);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fmm/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
 
 /// Sources that cost as much, summed directly, as a series of so many terms.
 std::uint32_t equally_dear(int terms) {
-  return static_cast<std::uint32_t>(3 + terms / 2);
+  return static_cast<std::uint32_t>(series_start + terms / terms_a_source);
 }
 
 /// A stack deep enough for a walk to the finest level, four children at a time.

@@ -69,7 +69,7 @@ struct TargetBox {
 /// lost2    the square of the tolerance that the order was chosen by; 0: by none
 /// reach2   a core S shows up to a gap of sqrt(reach2 S) between two boxes; 0: cores are ignored
 struct Acceptance {
-  Order order;
+  SeriesOrder order;
   double reach2 = 0;
   Cores cores = Cores::source;
   double lost2 = 0;

@@ -2,21 +2,20 @@
 
 #include <algorithm>
 
+#include "fmm/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
 
-/// Enough runs of leaves for some threads where sums with cores make even few points worth sharing;
-/// not so many that what lies along their borders, summed on both sides, costs a tenth more.
-std::uint32_t places_of_slab(const Leaves& leaves) {
-  constexpr std::uint32_t least = 1024, most = 16384;
-  const auto eighth = static_cast<std::uint32_t>(leaves.places() / 8);
-  return leaves.cored() ? std::clamp(eighth, least, most) : most;
+std::uint32_t places_of_run(const Leaves& leaves) {
+  const auto share = static_cast<std::uint32_t>(leaves.places() / leaf_runs);
+  return leaves.cored() ? std::clamp(share, shortest_leaf_run, longest_leaf_run) : longest_leaf_run;
 }
 
 }  // namespace
 
 LeafRuns::LeafRuns(const Leaves& leaves) {
-  const std::uint32_t size = places_of_slab(leaves);
+  const std::uint32_t size = places_of_run(leaves);
   std::uint32_t begun = 0;
   for (std::uint32_t leaf = 0; leaf < leaves.count(); ++leaf) {
     if (leaf == 0 || leaves.start[leaf] >= begun + size) {

@@ -2,20 +2,20 @@
 
 #include <numeric>
 
+#include "fmm/tuning.hpp"
+#include "tree/base/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
 
-constexpr std::uint32_t alone = 2048;  // cells of a level that one thread had better do alone
-constexpr std::uint32_t portion = 1024;
-
 /// Where the neighbor (dx, dy) of the child in quadrant q is found: in the parent's neighbor
 /// `near`, there in quadrant `quadrant`.
-struct Place {
+struct ChildPlace {
   int near, quadrant;
 };
 
-constexpr std::array<std::array<Place, 9>, 4> make_places() {
-  std::array<std::array<Place, 9>, 4> places{};
+constexpr std::array<std::array<ChildPlace, 9>, 4> make_places() {
+  std::array<std::array<ChildPlace, 9>, 4> places{};
   for (int q = 0; q < 4; ++q) {
     for (int k = 0; k < 9; ++k) {
       const int x = q % 2 + k % 3 + 1, y = q / 2 + k / 3 + 1;  // in the grid of the nine families
@@ -29,7 +29,8 @@ constexpr auto places = make_places();
 
 }  // namespace
 
-Rows::Rows(std::size_t rows, std::span<const std::span<const Entry>> parts) : first_(rows + 2) {
+CellRows::CellRows(std::size_t rows, std::span<const std::span<const Entry>> parts)
+    : first_(rows + 2) {
   // counted two rows ahead, summed, and moved on as the cells go in: in the end one row ahead
   for (const auto part : parts) {
     for (const Entry entry : part) ++first_[entry.row + 2];
@@ -43,18 +44,18 @@ Rows::Rows(std::size_t rows, std::span<const std::span<const Entry>> parts) : fi
 }
 
 /// Entries of the rows, as some cells find them.
-struct Lists::Found {
-  std::vector<Rows::Entry> x, w, x_met, finer, refused;
+struct InteractionLists::Found {
+  std::vector<CellRows::Entry> x, w, x_met, finer, refused;
 };
 
-Lists::Lists(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
+InteractionLists::InteractionLists(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
   if (tree.cells().empty()) return;
   find_kin(tree);
   find_neighbors(tree, hidden);
   find_meetings(tree, few, hidden);
 }
 
-void Lists::find_kin(const DeepTree& tree) {
+void InteractionLists::find_kin(const DeepTree& tree) {
   const auto cells = tree.cells();
   const auto childless = tree.childless();
   const auto count = static_cast<std::uint32_t>(cells.size());
@@ -62,7 +63,7 @@ void Lists::find_kin(const DeepTree& tree) {
   leaves_.resize(count);
   level_.resize(count);
   marks_.resize(count);
-#pragma omp parallel for schedule(static) if (count > alone)
+#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
   for (std::uint32_t c = 0; c < count; ++c) {
     level_[c] = static_cast<std::uint8_t>(cells[c].level);
     marks_[c] = static_cast<std::uint16_t>(cells[c].childless() << childless_bit);
@@ -71,13 +72,13 @@ void Lists::find_kin(const DeepTree& tree) {
       children_[c][cells[k].quadrant] = static_cast<std::int32_t>(k);
     }
   }
-#pragma omp parallel for schedule(static) if (count > alone)
+#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
   for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
     leaves_[childless[leaf]] = {leaf, leaf + 1};
   }
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range range = tree.level(level);
-#pragma omp parallel for schedule(static) if (range.size() > alone)
+#pragma omp parallel for schedule(static) if (range.size() > tree::cells_worth_sharing)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       const tree::Range children = cells[c].children;
       if (children.empty()) continue;
@@ -86,7 +87,7 @@ void Lists::find_kin(const DeepTree& tree) {
   }
 }
 
-void Lists::find_neighbors(const DeepTree& tree, const Hidden& hidden) {
+void InteractionLists::find_neighbors(const DeepTree& tree, const Hidden& hidden) {
   const auto cells = tree.cells();
   neighbors_.resize(cells.size());
   neighbors_[0].fill(nobody);
@@ -94,7 +95,7 @@ void Lists::find_neighbors(const DeepTree& tree, const Hidden& hidden) {
   for (int level = 0; level <= tree.depth(); ++level) {
     const tree::Range range = tree.level(level);
     const double gap = tree.side(level + 1);
-#pragma omp parallel for schedule(static) if (range.size() > alone)
+#pragma omp parallel for schedule(static) if (range.size() > tree::cells_worth_sharing)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       if (level > 0) find_neighbors_of(tree, c);
       unsigned marks = marks_[c];
@@ -113,11 +114,11 @@ void Lists::find_neighbors(const DeepTree& tree, const Hidden& hidden) {
   }
 }
 
-void Lists::find_neighbors_of(const DeepTree& tree, std::uint32_t c) {
+void InteractionLists::find_neighbors_of(const DeepTree& tree, std::uint32_t c) {
   const DeepCell& cell = tree.cells()[c];
   const auto parent = static_cast<std::uint32_t>(cell.parent);
   for (int k = 0; k < 9; ++k) {
-    const Place place = places[cell.quadrant][k];
+    const ChildPlace place = places[cell.quadrant][k];
     std::int32_t near = neighbors_[parent][place.near];
     if (near != nobody && !childless(near)) {
       near = open(parent, place.near) ? children_[near][place.quadrant] : nobody;
@@ -126,26 +127,27 @@ void Lists::find_neighbors_of(const DeepTree& tree, std::uint32_t c) {
   }
 }
 
-void Lists::find_meetings(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
+void InteractionLists::find_meetings(const DeepTree& tree, std::uint32_t few,
+                                     const Hidden& hidden) {
   const auto cells = tree.cells();
   const auto count = static_cast<std::uint32_t>(cells.size());
-#pragma omp parallel for schedule(static) if (count > alone)
+#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
   for (const std::uint32_t b : tree.childless()) {
     if (cells[b].points.size() < few) {
       marks_[b] = static_cast<std::uint16_t>(marks_[b] | 1u << sparse_bit);
     }
   }
-  const std::uint32_t portions = (count + portion - 1) / portion;
+  const std::uint32_t portions = (count + cells_a_portion - 1) / cells_a_portion;
   std::vector<Found> some(portions);
-#pragma omp parallel for schedule(dynamic) if (portions > 2)
+#pragma omp parallel for schedule(dynamic) if (portions > portions_for_one)
   for (std::uint32_t p = 0; p < portions; ++p) {
-    const std::uint32_t end = std::min(count, (p + 1) * portion);
-    for (std::uint32_t c = p * portion; c < end; ++c) look(tree, c, hidden, some[p]);
+    const std::uint32_t end = std::min(count, (p + 1) * cells_a_portion);
+    for (std::uint32_t c = p * cells_a_portion; c < end; ++c) look(tree, c, hidden, some[p]);
   }
   const std::size_t leaves = tree.childless().size();
   struct Making {
-    Rows& rows;
-    std::vector<Rows::Entry> Found::*entries;
+    CellRows& rows;
+    std::vector<CellRows::Entry> Found::*entries;
     std::size_t count;
   };
   const Making makings[] = {{x_, &Found::x, count},
@@ -153,16 +155,17 @@ void Lists::find_meetings(const DeepTree& tree, std::uint32_t few, const Hidden&
                             {x_met_, &Found::x_met, count},
                             {finer_, &Found::finer, leaves},
                             {refused_, &Found::refused, count}};
-#pragma omp parallel for schedule(dynamic, 1) if (portions > 2)
+#pragma omp parallel for schedule(dynamic, 1) if (portions > portions_for_one)
   for (const Making& making : makings) {
-    std::vector<std::span<const Rows::Entry>> parts;
+    std::vector<std::span<const CellRows::Entry>> parts;
     for (const Found& found : some) parts.emplace_back(found.*making.entries);
-    making.rows = Rows(making.count, parts);
+    making.rows = CellRows(making.count, parts);
   }
 }
 
 /// What c meets of its X, of coarser neighbors, and of families that refuse its own.
-void Lists::look(const DeepTree& tree, std::uint32_t c, const Hidden& hidden, Found& found) const {
+void InteractionLists::look(const DeepTree& tree, std::uint32_t c, const Hidden& hidden,
+                            Found& found) const {
   const DeepCell& cell = tree.cells()[c];
   const Neighbors& own = neighbors_[c];
   const auto rank = [&](std::int32_t b) { return leaves_[b].first; };
@@ -202,7 +205,7 @@ void Lists::look(const DeepTree& tree, std::uint32_t c, const Hidden& hidden, Fo
   }
 }
 
-std::size_t Lists::bytes() const {
+std::size_t InteractionLists::bytes() const {
   const std::size_t per_cell = sizeof(Neighbors) + sizeof children_[0] + sizeof marks_[0] +
                                sizeof level_[0] + sizeof leaves_[0];
   return per_cell * neighbors_.capacity() + x_.bytes() + w_.bytes() + x_met_.bytes() +

@@ -16,15 +16,15 @@ namespace vortree::fmm {
 inline constexpr std::int32_t nobody = -1;
 
 /// Rows of cell numbers, one after the other.
-class Rows {
+class CellRows {
  public:
   struct Entry {
     std::uint32_t row, cell;
   };
 
-  Rows() = default;
+  CellRows() = default;
   /// Entries of a row keep their order, those of one part before those of the next.
-  Rows(std::size_t rows, std::span<const std::span<const Entry>> parts);
+  CellRows(std::size_t rows, std::span<const std::span<const Entry>> parts);
 
   [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t row) const {
     return std::span(cells_).subspan(first_[row], first_[row + 1] - first_[row]);
@@ -54,7 +54,7 @@ class Rows {
 /// a core still shows; then all points of the two are summed one by one.
 ///
 /// source   Carrier, Greengard & Rokhlin, SIAM J. Sci. Stat. Comput. 9 (1988)
-class Lists {
+class InteractionLists {
  public:
   using Neighbors = std::array<std::int32_t, 9>;
   static constexpr int middle = 4;
@@ -62,12 +62,12 @@ class Lists {
   /// True if series serve between two cells that are at least `gap` apart. Symmetric.
   using Hidden = std::function<bool(std::uint32_t a, std::uint32_t b, double gap)>;
 
-  Lists() = default;
+  InteractionLists() = default;
 
   /// few       childless cells of fewer points meet their X point by point
   /// hidden    empty: always
   /// cost      O(cells)
-  Lists(const DeepTree& tree, std::uint32_t few, const Hidden& hidden);
+  InteractionLists(const DeepTree& tree, std::uint32_t few, const Hidden& hidden);
 
   /// The neighbor of c at (dx, dy), each -1 .. 1: entry 3 (dy + 1) + dx + 1. At the middle c
   /// itself, or nobody if an ancestor refuses itself.
@@ -146,10 +146,10 @@ class Lists {
   Unwritten<std::uint16_t> marks_;  // bits: open to neighbors 0 .. 8, and the above
   Unwritten<std::uint8_t> level_;
   Unwritten<tree::Range> leaves_;
-  Rows x_, w_;
-  Rows x_met_;  // X of sparse cells: met point by point
-  Rows finer_;  // by rank: members of U that are finer
-  Rows refused_;
+  CellRows x_, w_;
+  CellRows x_met_;  // X of sparse cells: met point by point
+  CellRows finer_;  // by rank: members of U that are finer
+  CellRows refused_;
 };
 
 }  // namespace vortree::fmm

@@ -6,17 +6,17 @@
 #include <tuple>
 #include <vector>
 
+#include "tree/base/tuning.hpp"
+
 namespace vortree::fmm {
 namespace {
-
-constexpr std::size_t many = 50000;  // values that threads share
 
 /// From this many limits on, no two coordinates are nearer than the limit.
 constexpr double sparse = 0x1p54;
 
 double least_magnitude(std::span<const double> values) {
   double least = INFINITY;
-#pragma omp parallel for simd reduction(min : least) if (values.size() > many)
+#pragma omp parallel for simd reduction(min : least) if (values.size() > tree::values_worth_sharing)
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double magnitude = std::abs(values[i]);
     least = std::min(least, magnitude > 0.0 ? magnitude : static_cast<double>(INFINITY));

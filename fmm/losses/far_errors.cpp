@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "fmm/losses/near_errors.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -22,7 +23,7 @@ template <class Number>
 std::vector<Charge> sum_families(const Stage& stage, const FarField<Number>& far) {
   const auto cells = stage.tree.cells();
   std::vector<Charge> families(cells.size());
-#pragma omp parallel for schedule(static) if (cells.size() > 2048)
+#pragma omp parallel for schedule(static) if (cells.size() > tree::cells_worth_sharing)
   for (std::size_t c = 0; c < cells.size(); ++c) {
     for (std::uint32_t k = cells[c].children.first; k < cells[c].children.last; ++k) {
       families[c] = families[c] + far.charges()[k];
@@ -41,17 +42,17 @@ FarErrors::FarErrors(const Stage& stage, const FarField<Number>& far, const Latt
       derivative_(derivative),
       terms_(order.most) {
   const auto cells = stage.tree.cells();
-  const Lists& lists = stage.lists;
+  const InteractionLists& lists = stage.lists;
   const std::vector<Charge> families = sum_families(stage, far);
   errors_.resize(cells.size());
   for (int level = 0; level < stage.tree.depth(); ++level) {
     const tree::Range range = stage.tree.level(level);
-#pragma omp parallel for schedule(dynamic, 64) if (range.size() > 512)
+#pragma omp parallel for schedule(dynamic, 64) if (range.size() > tree::series_worth_sharing)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       if (cells[c].childless()) continue;
       Charge met;
       for (int k = 0; k < 9; ++k) {
-        if (k != Lists::middle && lists.open(c, k)) {
+        if (k != InteractionLists::middle && lists.open(c, k)) {
           met = met + families[static_cast<std::uint32_t>(lists.neighbors(c)[k])];
         }
       }

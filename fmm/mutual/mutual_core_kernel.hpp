@@ -8,6 +8,7 @@
 #include "fmm/cores/core_kernel.hpp"
 #include "fmm/near/p2p_kernel.hpp"
 #include "fmm/series/translation_kernel.hpp"
+#include "fmm/tuning.hpp"
 #include "tree/base/simd.hpp"
 
 namespace vortree::fmm {
@@ -177,7 +178,7 @@ inline void meet_cored(const CellPoints<Number, sums>& cell,
                        OtherPoints<typename VectorOf<Number>::Type, sums>& others) {
   using Vector = typename VectorOf<Number>::Type;
   constexpr bool slopes = sums == slope_sums;
-  constexpr std::size_t some = 8;
+  constexpr std::size_t some = points_a_step;
   const Vector x = others.x, y = others.y, gamma = others.gamma, cores = others.core;
   Vector u{}, v{}, re{}, im{}, rotation{};
   Vector kept[some][kept_places];

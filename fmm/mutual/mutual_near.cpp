@@ -33,10 +33,10 @@ void MutualNear::add(tree::Range leaf_run, double* u, double* v) {
   const auto meeting = [&](std::uint32_t leaf) -> Meeting& {
     return meetings_[leaf % meetings_.size()];
   };
-  for (std::uint32_t next = leaf_run.first; next < leaf_run.last + in_advance; ++next) {
+  for (std::uint32_t next = leaf_run.first; next < leaf_run.last + cells_ahead; ++next) {
     if (next < leaf_run.last) arrange(next, leaf_run, points, meeting(next));
-    if (next < leaf_run.first + in_advance) continue;
-    const std::uint32_t leaf = next - in_advance;
+    if (next < leaf_run.first + cells_ahead) continue;
+    const std::uint32_t leaf = next - cells_ahead;
     meet_exactly(leaf, meeting(leaf).exact, points);
     if (coarse_) meet_in_fixed(leaf, meeting(leaf).fixed, points);
   }
@@ -92,7 +92,7 @@ void MutualNear::meet_exactly(std::uint32_t leaf, const Blocks& others,
 
 void MutualNear::take(std::uint32_t leaf) {
   const std::uint32_t first = leaves_.start[leaf], size = leaves_.size[leaf];
-  const Frame& at = tree_.frame(tree_.childless()[leaf]);
+  const CellFrame& at = tree_.frame(tree_.childless()[leaf]);
   room_.x0 = at.x, room_.y0 = at.y, room_.x_rest = at.x_rest, room_.y_rest = at.y_rest;
   room_.scale = fixed_side / at.side;
   const std::size_t whole = leaves_.start[leaf + 1] - first;

@@ -8,6 +8,7 @@
 #include "fmm/lists/lists.hpp"
 #include "fmm/mutual/mutual_fixed_kernel.hpp"
 #include "fmm/mutual/mutual_kernel.hpp"
+#include "fmm/tuning.hpp"
 
 namespace vortree::fmm {
 
@@ -17,7 +18,7 @@ class MutualNear {
  public:
   /// coarse   single precision will do: used wherever places fit (mutual_fixed_kernel.hpp); the
   ///          leaves come in vectors of floats
-  MutualNear(const DeepTree& tree, const Lists& lists, const Leaves& leaves, bool coarse)
+  MutualNear(const DeepTree& tree, const InteractionLists& lists, const Leaves& leaves, bool coarse)
       : tree_(tree), lists_(lists), leaves_(leaves), coarse_(coarse) {}
 
   /// Adds to u and v (times 2 pi, in the places of leaves) all pairs of U with a target in the
@@ -41,8 +42,6 @@ class MutualNear {
     Unwritten<Singles> u, v;
   };
 
-  static constexpr std::uint32_t in_advance = 4;  // cells to ask memory for
-
   void arrange(std::uint32_t leaf, tree::Range leaf_run, const MutualPoints& points,
                Meeting& meeting);
   void meet_exactly(std::uint32_t leaf, const Blocks& others, const MutualPoints& points);
@@ -54,11 +53,11 @@ class MutualNear {
   void mend(std::uint32_t leaf, std::uint32_t block, const MutualPoints& points) const;
 
   const DeepTree& tree_;
-  const Lists& lists_;
+  const InteractionLists& lists_;
   const Leaves& leaves_;
   bool coarse_;
 
-  std::array<Meeting, in_advance + 1> meetings_;
+  std::array<Meeting, cells_ahead + 1> meetings_;
   Unwritten<Lanes> u_, v_;
   Fixed room_;
 };

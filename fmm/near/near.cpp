@@ -19,7 +19,7 @@ void NearSources::pack(const SortedPoints& points, std::span<const double> gamma
     bare_.add(&points.x[run.first], &points.y[run.first], &gamma[run.first], run.size());
   }
   part(points, gamma, leaf, acceptance, found.cored);
-  for (Packed* sources : {&bare_, &hidden_, &cored_}) sources->close();
+  for (PackedSources* sources : {&bare_, &hidden_, &cored_}) sources->close();
 }
 
 /// Far enough from the leaf's box: hidden; else cored.
@@ -32,7 +32,7 @@ void NearSources::part(const SortedPoints& points, std::span<const double> gamma
   const double *all_x = points.x.data(), *all_y = points.y.data(),
                *all_core = points.core.data();  // none: bare
   const TargetBox box = leaf;
-  Packed::Writer hidden(hidden_), cored(cored_);
+  PackedSources::Writer hidden(hidden_), cored(cored_);
   Lanes most = fill(std::max(box.half_x, box.half_y)), least = fill(Units::largest_core);
   Lanes widest = fill(box.core), squares{};
   for (const tree::Range run : runs) {

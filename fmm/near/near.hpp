@@ -69,7 +69,8 @@ class NearSources {
             const Acceptance& acceptance, std::span<const tree::Range> runs);
 
   template <class Pair>
-  void sum_single(const Packed& sources, const SingleFrame& frame, const NearTargets& targets) {
+  void sum_single(const PackedSources& sources, const SingleFrame& frame,
+                  const NearTargets& targets) {
     single_.assign<Pair>(sources, frame);
     p2p_single<Pair>(single_, targets);
   }
@@ -81,7 +82,7 @@ class NearSources {
            widest_core_ <= 1e30 * size_ * size_;
   }
 
-  Packed bare_, hidden_, cored_;
+  PackedSources bare_, hidden_, cored_;
   SinglePacked single_;
   double size_ = 0.0;  // no parted source or target is farther from the middle, in x or in y
   double least_core_ = 0.0, widest_core_ = 0.0;

@@ -97,7 +97,7 @@ struct NearTargets {
 };
 
 template <class Pair, int rows>
-inline void p2p_rows(const Packed& sources, const NearTargets& targets, std::size_t first) {
+inline void p2p_rows(const PackedSources& sources, const NearTargets& targets, std::size_t first) {
   Lanes u[rows] = {}, v[rows] = {};
   double half_core[rows];
   for (int i = 0; i < rows; ++i) half_core[i] = 0.5 * targets.core[first + i];
@@ -123,7 +123,7 @@ inline void p2p_rows(const Packed& sources, const NearTargets& targets, std::siz
 
 /// sources must be closed.
 template <class Pair>
-void p2p(const Packed& sources, const NearTargets& targets) {
+void p2p(const PackedSources& sources, const NearTargets& targets) {
   if (sources.size() == 0) return;
   std::size_t i = 0;
   for (; i + 4 <= targets.size; i += 4) p2p_rows<Pair, 4>(sources, targets, i);

@@ -37,7 +37,7 @@ class SinglePacked {
 
   /// The sources of `packed`, whose cores are S_j, in another frame.
   template <class Pair>
-  void assign(const Packed& packed, const SingleFrame& frame) {
+  void assign(const PackedSources& packed, const SingleFrame& frame) {
     frame_ = frame;
     size_ = packed.size();
     if (room_ < padded(size_, single_count)) {

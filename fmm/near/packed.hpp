@@ -10,7 +10,7 @@
 namespace vortree::fmm {
 
 /// Sources side by side for a near sum, the last vector filled up with sources of no strength.
-class Packed {
+class PackedSources {
  public:
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const double* x() const { return values_.data(); }
@@ -36,7 +36,7 @@ class Packed {
   /// sources are bare.
   class Writer {
    public:
-    explicit Writer(Packed& packed)
+    explicit Writer(PackedSources& packed)
         : to_(packed.values_.data() + packed.size_), room_(packed.room_) {}
 
     void add(Lanes x, Lanes y, Lanes gamma, LaneSet chosen) {
@@ -49,7 +49,7 @@ class Packed {
       store_close(to_ + 3 * room_, core, chosen);
       add(x, y, gamma, chosen);
     }
-    void finish(Packed& packed) const {
+    void finish(PackedSources& packed) const {
       packed.size_ = static_cast<std::size_t>(to_ - packed.values_.data());
     }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "fmm/series/translation_kernel.hpp"
+#include "fmm/tuning.hpp"
 #include "tree/base/simd.hpp"
 
 namespace vortree::fmm {
@@ -17,13 +18,11 @@ namespace vortree::fmm {
 ///
 /// twin    specification.hpp
 
-inline constexpr int most_points = 64;  // points at once
-
 /// Points of a cell for a series, filled up with points at the centre without circulation.
 template <class Number>
 struct LatticePoints {
   static constexpr int n = VectorOf<Number>::count;
-  alignas(64) Number x[most_points], y[most_points], gamma[most_points];
+  alignas(64) Number x[points_a_series], y[points_a_series], gamma[points_a_series];
   int size = 0, vectors = 0;
 };
 

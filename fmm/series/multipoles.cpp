@@ -5,11 +5,10 @@
 
 #include "fmm/losses/expected.hpp"
 #include "fmm/series/multipole_kernel.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::fmm {
 namespace {
-
-constexpr std::uint32_t alone = 512;  // cells of a level that one thread had better do alone
 
 /// 1/<|t|^(2k)> of points that fill their disk, of the terms that series may leave out.
 std::vector<double> charge_weights(int order) {
@@ -37,7 +36,7 @@ Multipoles::Multipoles(const tree::Quadtree& tree, const CellShapes& shapes,
   const auto cells = tree.cells();
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range range = tree.level(level);
-#pragma omp parallel for schedule(dynamic, 64) if (range.size() > alone)
+#pragma omp parallel for schedule(dynamic, 64) if (range.size() > tree::series_worth_sharing)
     for (std::uint32_t c = range.first; c < range.last; ++c) {
       double* terms = terms_.data() + 2 * std::size_t{c} * static_cast<std::size_t>(order);
       std::fill_n(terms, 2 * order, 0.0);

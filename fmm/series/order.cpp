@@ -25,8 +25,8 @@ double slope_ratio(double tolerance, int terms) {
   return low;
 }
 
-Order Order::for_tolerance(double tolerance) {
-  Order order;
+SeriesOrder SeriesOrder::for_tolerance(double tolerance) {
+  SeriesOrder order;
   order.squared_ratio_ = widest_ratio * widest_ratio;
   order.per_bin_ = bins / order.squared_ratio_;
   for (int bin = 0; bin <= bins; ++bin) {
@@ -37,8 +37,8 @@ Order Order::for_tolerance(double tolerance) {
   return order;
 }
 
-Order Order::fixed(int terms, double ratio) {
-  Order order;
+SeriesOrder SeriesOrder::fixed(int terms, double ratio) {
+  SeriesOrder order;
   order.squared_ratio_ = ratio * ratio;
   order.per_bin_ = bins / order.squared_ratio_;
   order.terms_.fill(terms);

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "fmm/tuning.hpp"
+
 namespace vortree::fmm {
 
 /// How many terms of a multipole keep the promised tolerance.
@@ -27,20 +29,16 @@ namespace vortree::fmm {
 /// (p + 1)/(1 - ratio) times what the series lacks.
 [[nodiscard]] double slope_ratio(double tolerance, int terms);
 
-/// The ratio up to which cells meet by series when the order is chosen by tolerance, the cheapest
-/// on average between few terms of small cells and many terms of large ones.
-inline constexpr double widest_ratio = 0.65;
-
 /// The paper's rule, one cell apart: half the diagonal over one and a half sides.
 inline constexpr double one_cell_apart = 0.47140452079103168;
 
 /// Terms by ratio, looked up.
-class Order {
+class SeriesOrder {
  public:
   /// As many terms as each ratio needs, up to widest_ratio.
-  static Order for_tolerance(double tolerance);
+  static SeriesOrder for_tolerance(double tolerance);
   /// The same number of terms everywhere, up to a ratio, or to the paper's.
-  static Order fixed(int terms, double ratio = one_cell_apart);
+  static SeriesOrder fixed(int terms, double ratio = one_cell_apart);
 
   [[nodiscard]] int most() const { return most_; }
   [[nodiscard]] double squared_ratio() const { return squared_ratio_; }

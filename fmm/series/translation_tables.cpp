@@ -5,10 +5,8 @@
 namespace vortree::fmm {
 namespace {
 
-using Complex = std::complex<double>;
-
 template <class Number>
-typename TranslationTables<Number>::Power narrow(Complex value) {
+typename TranslationTables<Number>::Power narrow(std::complex<double> value) {
   return {static_cast<Number>(value.real()), static_cast<Number>(value.imag())};
 }
 
@@ -32,17 +30,17 @@ TranslationTables<Number>::TranslationTables(int most, const std::array<int, orb
     }
   }
   for (int o = 0; o < orbit_count; ++o) {
-    const Complex inverse = 1.0 / Complex(orbits[o].x, orbits[o].y);
+    const std::complex inverse = 1.0 / std::complex<double>(orbits[o].x, orbits[o].y);
     orbit[o].terms = terms[o];
-    Complex in = inverse, out = 1.0;
+    std::complex<double> in = inverse, out = 1.0;
     for (int k = 0; k < terms[o]; ++k, in *= inverse, out *= -inverse) {
       orbit[o].in.push_back(narrow<Number>(in));
       orbit[o].out.push_back(narrow<Number>(out));
     }
   }
   for (int q = 0; q < 4; ++q) {
-    const Complex d((q % 2 - 0.5) / 2, (q / 2 - 0.5) / 2);
-    Complex up = 1.0, down = 1.0;
+    const std::complex<double> d((q % 2 - 0.5) / 2, (q / 2 - 0.5) / 2);
+    std::complex<double> up = 1.0, down = 1.0;
     for (int k = 0; k < most; ++k, up *= d, down /= 2.0 * d) {
       child[q].up.push_back(narrow<Number>(up));
       child[q].down.push_back(narrow<Number>(down));

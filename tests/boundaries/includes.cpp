@@ -63,8 +63,7 @@ bool may_see_fftw(const std::string& part) {
 // Headers of the standard have neither folder nor suffix; OpenMP and vector intrinsics come with
 // the compiler.
 bool comes_with_compiler(const std::string& name) {
-  return name.find_first_of("/.") == std::string::npos || name == "omp.h" ||
-         name == "immintrin.h" || name == "experimental/simd";
+  return name.find_first_of("/.") == std::string::npos || name == "omp.h" || name == "immintrin.h";
 }
 
 // The part of the house that an include leads to; empty if it leads to a library.

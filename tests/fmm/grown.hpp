@@ -66,10 +66,10 @@ struct Grown {
 /// Numbers of twice the digits.
 using Quad = __float128;
 
-inline Quad centre_x(const fmm::Frame& at) {
+inline Quad centre_x(const fmm::CellFrame& at) {
   return static_cast<Quad>(at.x) + at.x_rest;
 }
-inline Quad centre_y(const fmm::Frame& at) {
+inline Quad centre_y(const fmm::CellFrame& at) {
   return static_cast<Quad>(at.y) + at.y_rest;
 }
 inline double magnitude(Quad value) {

@@ -207,7 +207,7 @@ namespace {
 template <class Pair>
 double p2p_error(std::size_t sources, std::size_t targets, fmm::Cores cores, bool cored) {
   test::Uniform uniform(sources + 100 * targets);
-  fmm::Packed packed;
+  fmm::PackedSources packed;
   std::vector<double> x, y, gamma, sigma, core, u(targets), v(targets);
   packed.restart(sources);
   for (std::size_t j = 0; j < std::max(sources, targets); ++j) {
@@ -256,7 +256,7 @@ TEST_CASE("single near sums of wide cores agree with double ones to single preci
   test::Uniform uniform(8);
   for (const std::size_t n : {1u, 15u, 16u, 300u}) {
     std::vector<double> x, y, core, u(n), v(n), single_u(n), single_v(n);
-    fmm::Packed plain, packed;
+    fmm::PackedSources plain, packed;
     plain.restart(n), packed.restart(n);
     for (std::size_t j = 0; j < n; ++j) {
       x.push_back(1e3 + 1e-3 * uniform()), y.push_back(1e-3 * uniform());

@@ -9,15 +9,14 @@
 
 #ifdef __linux__
 #include <sys/mman.h>
+
+#include "tree/base/tuning.hpp"
 #endif
 
 namespace vortree::kept_memory {
 namespace {
 
 constexpr std::align_val_t alignment{2u << 20};  // a large page
-
-// What is idle comes in pieces: so much more is kept for those that are too small just now.
-constexpr std::size_t spare_part = 8;
 
 // Sizes are rounded up, by an eighth at most, so that a little more or less next time fits.
 std::size_t rounded(std::size_t bytes) {
@@ -43,7 +42,7 @@ class Store {
     used_.emplace(memory, size);
     used_bytes_ += size;
     most_ = std::max(most_, used_bytes_);
-    shrink(most_ + most_ / spare_part - used_bytes_);
+    shrink(most_ + most_ / tree::spare_memory - used_bytes_);
     return memory;
   }
 

@@ -6,13 +6,11 @@
 #include <exception>
 
 #include "tree/base/range.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::tree {
 
-/// Work on more things than this is shared among threads, in so many pieces. Threads that slept are
-/// some 50 microseconds late, and a tree takes ten turns of them: fewer points are done by then.
-inline constexpr std::size_t worth_sharing = 150000, shared_pieces = 16;
-
+/// Pieces of work on n points.
 [[nodiscard]] inline std::size_t pieces_of(std::size_t n) {
   return n > worth_sharing ? shared_pieces : 1;
 }

@@ -90,6 +90,15 @@ inline Lanes smaller(Lanes a, Lanes b) {
   return a < b ? a : b;
 #endif
 }
+inline Singles larger(Singles a, Singles b) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  return (Singles)_mm512_max_ps((__m512)a, (__m512)b);
+#elif defined(__AVX__)
+  return (Singles)_mm256_max_ps((__m256)a, (__m256)b);
+#else
+  return a > b ? a : b;
+#endif
+}
 inline Singles smaller(Singles a, Singles b) {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
   return (Singles)_mm512_min_ps((__m512)a, (__m512)b);
@@ -110,6 +119,21 @@ inline SingleBits smaller(SingleBits a, SingleBits b) {
 }
 inline Lanes magnitude(Lanes a) {
   return (Lanes)((Bits)a & INT64_MAX);
+}
+inline Singles magnitude(Singles a) {
+  return (Singles)((SingleBits)a & INT32_MAX);
+}
+
+/// condition ? a : b, without a turn of the condition that compilers put before it.
+inline Singles select(SingleBits condition, Singles a, Singles b) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  return (Singles)_mm512_mask_blend_ps(_mm512_movepi32_mask((__m512i)condition), (__m512)b,
+                                       (__m512)a);
+#elif defined(__AVX__)
+  return (Singles)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)condition);
+#else
+  return condition ? a : b;
+#endif
 }
 
 inline double largest(Lanes a) {

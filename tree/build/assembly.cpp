@@ -77,7 +77,7 @@ struct Numbers {
   std::vector<std::uint32_t> level_first;
 };
 
-Numbers number(const Leaves& leaves) {
+Numbers number(const LeavesByPiece& leaves) {
   Numbers numbers;
   numbers.first.resize(leaves.size());
 #pragma omp parallel for schedule(static) if (leaves.size() > 1)
@@ -110,7 +110,7 @@ Quadtree Assembly::over(MortonOrder order) && {
   return tree;
 }
 
-Assembly assemble(std::span<const Key> keys, const Leaves& leaves) {
+Assembly assemble(std::span<const Key> keys, const LeavesByPiece& leaves) {
   Numbers numbers = number(leaves);
   Assembly grown{std::vector<Cell>(numbers.level_first.back()), std::move(numbers.level_first), {}};
   std::vector<std::size_t> rank(leaves.size() + 1, 0);

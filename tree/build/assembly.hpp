@@ -29,14 +29,14 @@ struct Leaf {
 
 /// Childless cells, found piece by piece: those of a piece are in Morton order and come after those
 /// of the pieces before.
-using Leaves = std::vector<std::vector<Leaf>>;
+using LeavesByPiece = std::vector<std::vector<Leaf>>;
 
 /// The tree with the given childless cells: walking them in Morton order, each begins new cells
 /// from just below the level at which it meets its predecessor down to its own; all others of its
 /// ancestors are there already. One that meets nobody begins at a root.
 ///
 /// cost    O(cells); every piece by a thread
-[[nodiscard]] Assembly assemble(std::span<const Key> keys, const Leaves& leaves);
+[[nodiscard]] Assembly assemble(std::span<const Key> keys, const LeavesByPiece& leaves);
 
 /// What build_forward and build_reverse return, by so many pieces, each the work of one thread. The
 /// number makes no difference.
@@ -52,7 +52,7 @@ using Leaves = std::vector<std::vector<Leaf>>;
 /// keys   ascending within each run
 /// runs   not empty, one after the other, together all keys
 [[nodiscard]] Assembly grow_forest(std::span<const Key> keys, std::span<const Range> runs,
-                                   Crowded must_split, std::size_t pieces);
+                                   CrowdedRule must_split, std::size_t pieces);
 
 /// Numbers of the childless cells in Morton order.
 [[nodiscard]] std::vector<std::uint32_t> rank_childless(const std::vector<Cell>& cells);

@@ -39,9 +39,6 @@ void split(std::vector<Cell>& cells, std::uint32_t parent, std::span<const Key> 
   cells[parent].children = {eldest, static_cast<std::uint32_t>(children.size())};
 }
 
-// A piece of a level that has no more is not worth a thread.
-constexpr std::size_t few_cells = 16;
-
 template <class Rule>
 class Grower {
  public:
@@ -63,7 +60,7 @@ class Grower {
  private:
   // Every piece of a level gathers its children; then they move in behind the level.
   void add_children(Range level) {
-    const std::size_t pieces = level.size() >= few_cells * pieces_ ? pieces_ : 1;
+    const std::size_t pieces = level.size() >= cells_a_piece * pieces_ ? pieces_ : 1;
     std::vector<std::vector<Cell>> children(pieces);
     for_each_piece(pieces, [&](std::size_t p) {
       const Range part = piece(level.size(), p, pieces);
@@ -96,7 +93,7 @@ class Grower {
 }  // namespace
 
 Assembly grow_forward(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
-  const auto* crowded = must_split.target<Crowded>();
+  const auto* crowded = must_split.target<CrowdedRule>();
   Assembly grown =
       crowded ? Grower(order, *crowded, pieces).run() : Grower(order, must_split, pieces).run();
   grown.childless = rank_childless(grown.cells);

@@ -15,7 +15,7 @@ namespace vortree::tree {
 namespace {
 
 // A childless cell by its points.
-struct Run {
+struct ClimbedCell {
   int level;
   std::uint32_t last;
 };
@@ -28,7 +28,7 @@ class Climber {
 
   // The childless cell that begins at point `first`, which meets the point before at level `met`.
   // `start` is a level to begin the climb at, if the rule lets it.
-  [[nodiscard]] Run climb(std::uint32_t first, int met, int start) const {
+  [[nodiscard]] ClimbedCell climb(std::uint32_t first, int met, int start) const {
     int refused = met;
     Block here = footing(first, std::max(start, refused + 1), refused);
     for (int above = meeting_level(keys_, here.points.last); above > refused;
@@ -121,10 +121,10 @@ class Climber {
 // places on, and it must not hold the one before.
 class Reacher {
  public:
-  Reacher(std::span<const Key> keys, int finest, Crowded rule)
+  Reacher(std::span<const Key> keys, int finest, CrowdedRule rule)
       : keys_(keys), finest_(finest), n_ctrl_(rule.n_ctrl) {}
 
-  [[nodiscard]] Run climb(std::uint32_t first, int met, int /*start*/) const {
+  [[nodiscard]] ClimbedCell climb(std::uint32_t first, int met, int /*start*/) const {
     const auto n = static_cast<std::uint32_t>(keys_.size());
     const bool many = n - first > n_ctrl_;
     const int crowded = many ? common_level(keys_[first], keys_[first + n_ctrl_]) : -1;
@@ -162,7 +162,7 @@ void add_leaves(Range points, std::span<const Key> keys, const Finder& finder, s
   std::uint32_t first = points.first == 0 ? 0 : finder.end_of_cell(points.first - 1);
   while (first < points.last) {
     const int met = meeting_level(keys, first);
-    const Run run = finder.climb(first, met, level);
+    const ClimbedCell run = finder.climb(first, met, level);
     level = run.level;
     leaves.push_back(
         {offset + first, static_cast<std::int16_t>(met), static_cast<std::int16_t>(level)});
@@ -171,8 +171,8 @@ void add_leaves(Range points, std::span<const Key> keys, const Finder& finder, s
 }
 
 template <class Finder>
-Leaves find_leaves(std::span<const Key> keys, const Finder& finder, std::size_t pieces) {
-  Leaves leaves(pieces);
+LeavesByPiece find_leaves(std::span<const Key> keys, const Finder& finder, std::size_t pieces) {
+  LeavesByPiece leaves(pieces);
   for_each_piece(pieces, [&](std::size_t p) {
     add_leaves(piece(keys.size(), p, pieces), keys, finder, 0, leaves[p]);
   });
@@ -182,16 +182,16 @@ Leaves find_leaves(std::span<const Key> keys, const Finder& finder, std::size_t 
 }  // namespace
 
 Assembly grow_reverse(const MortonOrder& order, const SplitRule& must_split, std::size_t pieces) {
-  const auto* crowded = must_split.target<Crowded>();
-  const Leaves leaves =
+  const auto* crowded = must_split.target<CrowdedRule>();
+  const LeavesByPiece leaves =
       crowded ? find_leaves(order.keys, Reacher(order.keys, order.finest, *crowded), pieces)
               : find_leaves(order.keys, Climber(order, must_split), pieces);
   return assemble(order.keys, leaves);
 }
 
-Assembly grow_forest(std::span<const Key> keys, std::span<const Range> runs, Crowded must_split,
+Assembly grow_forest(std::span<const Key> keys, std::span<const Range> runs, CrowdedRule must_split,
                      std::size_t pieces) {
-  Leaves leaves(pieces);
+  LeavesByPiece leaves(pieces);
   for_each_piece(pieces, [&](std::size_t p) {
     const Range part = piece(keys.size(), p, pieces);
     auto run = std::ranges::upper_bound(runs, part.first, {}, &Range::first) - 1;

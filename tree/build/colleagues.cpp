@@ -1,5 +1,7 @@
 #include "tree/build/colleagues.hpp"
 
+#include "tree/base/tuning.hpp"
+
 namespace vortree::tree {
 
 namespace {
@@ -57,7 +59,7 @@ void find_colleagues(const Quadtree& tree, std::vector<Colleagues>& colleagues) 
   start(cells.size(), colleagues);
   for (int level = 0; level < tree.depth(); ++level) {
     const Range parents = tree.level(level);
-#pragma omp parallel for schedule(static) if (parents.size() > 2000)
+#pragma omp parallel for schedule(static) if (parents.size() > cells_worth_sharing)
     for (std::uint32_t parent = parents.first; parent < parents.last; ++parent) {
       give_to_children(cells, parent, colleagues);
     }

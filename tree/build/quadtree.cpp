@@ -24,9 +24,10 @@ bool is_child(const Cell& cell, const Cell& parent) {
 
 // Walks the cells as a queue: the children of each cell must be the next run that nobody has
 // claimed.
-class Check {
+class TreeCheck {
  public:
-  Check(const MortonOrder& order, const std::vector<Cell>& cells) : order_(order), cells_(cells) {}
+  TreeCheck(const MortonOrder& order, const std::vector<Cell>& cells)
+      : order_(order), cells_(cells) {}
 
   void run() const {
     if (cells_.empty() && order_.keys.empty()) {
@@ -92,7 +93,7 @@ std::vector<std::uint32_t> find_levels(const std::vector<Cell>& cells) {
 Quadtree::Quadtree(MortonOrder order, std::vector<Cell> cells)
     : order_(std::move(order)), cells_(std::move(cells)) {
   check_order(order_);
-  Check(order_, cells_).run();
+  TreeCheck(order_, cells_).run();
   level_first_ = find_levels(cells_);
   childless_ = rank_childless(cells_);
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tree/base/told.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::tree {
 
@@ -28,9 +29,10 @@ class Minima {
   explicit Minima(std::span<const double> values) : floors_{{values.begin(), values.end()}} {
     while (floors_.back().size() > 1) {
       const std::vector<double>& below = floors_.back();
-      std::vector<double> floor((below.size() + fan - 1) / fan);
+      std::vector<double> floor((below.size() + reaches_a_node - 1) / reaches_a_node);
       for (std::size_t i = 0; i < floor.size(); ++i) {
-        floor[i] = smallest(below, i * fan, std::min(below.size(), (i + 1) * fan));
+        floor[i] =
+            smallest(below, i * reaches_a_node, std::min(below.size(), (i + 1) * reaches_a_node));
       }
       floors_.push_back(std::move(floor));
     }
@@ -42,12 +44,13 @@ class Minima {
     double least = INFINITY;
     std::size_t first = range.first, last = range.last;
     for (const std::vector<double>& floor : floors_) {
-      const std::size_t first_whole = (first + fan - 1) / fan, last_whole = last / fan;
+      const std::size_t first_whole = (first + reaches_a_node - 1) / reaches_a_node,
+                        last_whole = last / reaches_a_node;
       if (first_whole >= last_whole) {
         return std::min(least, smallest(floor, first, last));
       }
-      least = std::min(least, smallest(floor, first, first_whole * fan));
-      least = std::min(least, smallest(floor, last_whole * fan, last));
+      least = std::min(least, smallest(floor, first, first_whole * reaches_a_node));
+      least = std::min(least, smallest(floor, last_whole * reaches_a_node, last));
       first = first_whole;
       last = last_whole;
     }
@@ -55,8 +58,6 @@ class Minima {
   }
 
  private:
-  static constexpr std::size_t fan = 16;
-
   static double smallest(const std::vector<double>& values, std::size_t first, std::size_t last) {
     double least = INFINITY;
     for (std::size_t i = first; i < last; ++i) {
@@ -80,7 +81,7 @@ SplitRule crowded(std::uint32_t n_ctrl) {
   if (n_ctrl == 0) {
     throw std::invalid_argument("crowded: n_ctrl is 0; a cell must be allowed one point");
   }
-  return Crowded{n_ctrl};
+  return CrowdedRule{n_ctrl};
 }
 
 SplitRule roomy(std::span<const double> reach) {

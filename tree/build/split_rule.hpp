@@ -23,7 +23,7 @@ struct Block {
 using SplitRule = std::function<bool(const Block&)>;
 
 /// The rule that crowded() gives. Builders know it by its type and then ask it directly.
-struct Crowded {
+struct CrowdedRule {
   std::uint32_t n_ctrl;
   [[nodiscard]] bool operator()(const Block& block) const { return block.points.size() > n_ctrl; }
 };

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "tree/base/tuning.hpp"
 #include "tree/build/extent_kernel.hpp"
 #include "tree/cells/exact_grid.hpp"
 #include "tree/cells/home_cell_kernel.hpp"
@@ -14,9 +15,6 @@
 namespace vortree::tree {
 
 namespace {
-
-// So many in a cell are searched as fast as they would be parted.
-constexpr std::uint32_t crowd = 128;
 
 constexpr int levels_at_a_time = kernel::deepest_own;
 
@@ -67,7 +65,7 @@ class Sorting {
   // In one place they need no finer cell.
   void part(const Crowd& all) {
     const int base = start_of(all.run);
-    if (all.run.size() <= crowd || base >= ExactGrid::bottom) return add(all.run, all.level);
+    if (all.run.size() <= deep_crowd || base >= ExactGrid::bottom) return add(all.run, all.level);
     if (all.level == 0) root_ = base;
     const std::size_t n = all.run.size();
     const std::span<Key> keys(&keys_[all.run.first], n);
@@ -79,7 +77,7 @@ class Sorting {
       while (end < n && keys[end] == keys[k]) ++end;
       const int level = kernel::Addresses{}.level(keys[k]);
       const Range run{all.run.first + k, all.run.first + end};
-      if (level == levels_at_a_time && run.size() > crowd) {
+      if (level == levels_at_a_time && run.size() > deep_crowd) {
         waiting_.push_back({run, base + level});
       } else {
         add(run, base + level);
@@ -133,9 +131,9 @@ void rearrange(SortedParticles& placed, std::span<const std::uint32_t> order) {
 }
 
 // From the root down, level by level.
-class Growth {
+class DeepGrower {
  public:
-  Growth(const SortedParticles& placed, const ExactGrid& grid, DeepCells& made)
+  DeepGrower(const SortedParticles& placed, const ExactGrid& grid, DeepCells& made)
       : placed_(placed), grid_(grid), made_(made) {}
 
   void grow(int root, std::uint32_t few) {
@@ -198,7 +196,7 @@ DeepCells deepen(SortedParticles& placed, std::uint32_t few) {
   }
   rearrange(placed, sorting.order());
   made.first.push_back(static_cast<std::uint32_t>(placed.size));
-  Growth(placed, grid, made).grow(sorting.root(), few);
+  DeepGrower(placed, grid, made).grow(sorting.root(), few);
   for (int level = 0; level <= made.cells.back().level; ++level) {
     made.sides.push_back(grid.side(level));
   }
@@ -209,13 +207,14 @@ bool too_shallow(const HomeCells& own, const SortedParticles& placed) {
   const double half = own.domain.cell_side(kernel::deepest_own) / 2;
   double looked_at = 0;
   for (std::size_t c = 0; c < own.size(); ++c) {
-    if (own.level[c] != kernel::deepest_own || own.first[c + 1] - own.first[c] <= crowd) continue;
+    if (own.level[c] != kernel::deepest_own || own.first[c + 1] - own.first[c] <= deep_crowd)
+      continue;
     const auto fine = static_cast<double>(std::count_if(placed.reach.data() + own.first[c],
                                                         placed.reach.data() + own.first[c + 1],
                                                         [&](double r) { return r < half; }));
     looked_at += fine * fine;
   }
-  return looked_at > crowd * static_cast<double>(placed.size);
+  return looked_at > deep_crowd * static_cast<double>(placed.size);
 }
 
 }  // namespace vortree::tree

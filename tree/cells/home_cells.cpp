@@ -12,6 +12,7 @@
 
 #include "tree/base/memory.hpp"
 #include "tree/base/parallel.hpp"
+#include "tree/base/tuning.hpp"
 #include "tree/build/build_reverse.hpp"
 #include "tree/build/extent_kernel.hpp"
 #include "tree/cells/home_cell_kernel.hpp"
@@ -27,16 +28,14 @@ namespace {
 // nor that of distances puts a neighbor two cells away.
 constexpr double margin = 1 + 0x1p-18;
 
-constexpr std::uint32_t portion = 1024;  // particles that stay in the nearest cache
-
 // work(piece, range) for all portions of every piece, one after the other.
 template <class Work>
 void for_each_portion(std::size_t n, const Work& work) {
   const std::size_t pieces = pieces_of(n);
   for_each_piece(pieces, [&](std::size_t p) {
     const Range all = piece(n, p, pieces);
-    for (std::uint32_t first = all.first; first < all.last; first += portion) {
-      work(p, Range{first, std::min(all.last, first + portion)});
+    for (std::uint32_t first = all.first; first < all.last; first += located_at_once) {
+      work(p, Range{first, std::min(all.last, first + located_at_once)});
     }
   });
 }
@@ -81,12 +80,12 @@ Extremes extremes(std::span<const double> reach) {
 }
 
 // How particles become addresses.
-struct Frame {
+struct AddressFrame {
   Domain domain;
   double spanned;  // side of the domain, so much shorter that cells span reaches with a margin
   kernel::Addresses addresses;
 
-  Frame(const Domain& all, Extremes reach)
+  AddressFrame(const Domain& all, Extremes reach)
       : domain(all),
         spanned(all.side / margin),
         addresses{kernel::own_level(spanned, reach.most), kernel::own_level(spanned, reach.least)} {
@@ -94,8 +93,8 @@ struct Frame {
 
   void locate(Points points, std::span<const double> reach, Range some, Key* to) const {
     const double scale = 0x1p31 / domain.side;
-    const kernel::Axis x{domain.x0, domain.x0 + domain.side, scale};
-    const kernel::Axis y{domain.y0, domain.y0 + domain.side, scale};
+    const kernel::DomainAxis x{domain.x0, domain.x0 + domain.side, scale};
+    const kernel::DomainAxis y{domain.y0, domain.y0 + domain.side, scale};
     (void)kernel::codes(&points.x[some.first], &points.y[some.first], some.size(), x, y, ~Key{0},
                         to);
     kernel::home_cells(addresses, spanned, &reach[some.first], some.size(), to);
@@ -106,9 +105,9 @@ struct Frame {
 struct Particle {
   double x, y, reach;
 };
-using Particles = Unwritten<Particle>;
+using ParticleRecords = Unwritten<Particle>;
 
-void pack(Points points, std::span<const double> reach, Range some, Particles& to) {
+void pack(Points points, std::span<const double> reach, Range some, ParticleRecords& to) {
   for (std::uint32_t i = some.first; i < some.last; ++i) {
     to[i] = {points.x[i], points.y[i], reach[i]};
   }
@@ -123,9 +122,9 @@ struct Located {
 // Puts some particles in their places, sorted(j) telling the j-th, and notes those whose address is
 // not that of the one before.
 template <class Sorted>
-void lay_out(const Particles& particles, const Sorted& sorted, Range some, SortedParticles& placed,
-             std::vector<std::uint32_t>& begins) {
-  std::array<std::uint32_t, portion> fresh;
+void lay_out(const ParticleRecords& particles, const Sorted& sorted, Range some,
+             SortedParticles& placed, std::vector<std::uint32_t>& begins) {
+  std::array<std::uint32_t, located_at_once> fresh;
   std::size_t count = 0;
   Key last = some.first == 0 ? ~Key{0} : sorted(some.first - 1).address;
   for (std::uint32_t j = some.first; j < some.last; ++j) {
@@ -143,7 +142,7 @@ void lay_out(const Particles& particles, const Sorted& sorted, Range some, Sorte
 
 // The same for all; each run of equal addresses is a cell.
 template <class Sorted>
-HomeCells lay_out(const Particles& particles, const Frame& frame, const Sorted& sorted,
+HomeCells lay_out(const ParticleRecords& particles, const AddressFrame& frame, const Sorted& sorted,
                   SortedParticles& placed) {
   const std::size_t n = particles.size();
   placed.renew(n);
@@ -165,10 +164,10 @@ HomeCells lay_out(const Particles& particles, const Frame& frame, const Sorted& 
 }
 
 // By numbers that hold address and particle, if both fit.
-HomeCells sort_numbers(Points points, std::span<const double> reach, const Frame& frame,
+HomeCells sort_numbers(Points points, std::span<const double> reach, const AddressFrame& frame,
                        int particle_bits, SortedParticles& placed) {
   Unwritten<std::uint64_t> numbers(points.size());
-  Particles particles(points.size());
+  ParticleRecords particles(points.size());
   for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
     frame.locate(points, reach, some, &numbers[some.first]);
     for (std::uint32_t i = some.first; i < some.last; ++i) {
@@ -184,11 +183,11 @@ HomeCells sort_numbers(Points points, std::span<const double> reach, const Frame
   return lay_out(particles, frame, sorted, placed);
 }
 
-HomeCells sort_keys(Points points, std::span<const double> reach, const Frame& frame,
+HomeCells sort_keys(Points points, std::span<const double> reach, const AddressFrame& frame,
                     std::vector<Key> keys, Unwritten<std::uint32_t> order,
                     SortedParticles& placed) {
   radix_sort(keys, order);
-  Particles particles(points.size());
+  ParticleRecords particles(points.size());
   for_each_portion(points.size(), [&](std::size_t /*piece*/, Range some) {
     pack(points, reach, some, particles);
   });
@@ -220,7 +219,7 @@ void check_particles(Points points, std::span<const double> reach) {
 HomeCells sort_into_own_cells(Points points, std::span<const double> reach,
                               SortedParticles& placed) {
   const Extremes extreme = extremes(reach);
-  const Frame frame(fit(enclose(points), extreme.most), extreme);
+  const AddressFrame frame(fit(enclose(points), extreme.most), extreme);
   const std::size_t n = points.size();
   const int particle_bits = std::bit_width(n);
   if (frame.addresses.bits() + particle_bits <= 64) {
@@ -235,7 +234,7 @@ HomeCells sort_into_own_cells(Points points, std::span<const double> reach,
 
 HomeCells sort_into_own_cells(const Quadtree& tree, Points points, std::span<const double> reach,
                               SortedParticles& placed) {
-  Frame frame(tree.domain(), extremes(reach));
+  AddressFrame frame(tree.domain(), extremes(reach));
   frame.addresses.coarsest = 0;
   const auto order = tree.order();
   std::vector<Key> keys(reach.size());

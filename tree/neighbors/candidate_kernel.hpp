@@ -45,12 +45,6 @@ inline constexpr Hits every_lane = static_cast<Hits>((std::uint32_t{1} << single
 inline Singles joined(HalfSingles a, HalfSingles b) {
   return (Singles)_mm512_insertf32x8(_mm512_castps256_ps512((__m256)a), (__m256)b, 1);
 }
-inline Singles lesser(Singles a, Singles b) {
-  return (Singles)_mm512_min_ps((__m512)a, (__m512)b);
-}
-inline Singles greater(Singles a, Singles b) {
-  return (Singles)_mm512_max_ps((__m512)a, (__m512)b);
-}
 inline Hits less(Singles a, Singles b) {
   return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LT_OQ);
 }
@@ -69,12 +63,6 @@ inline void store_close(std::int32_t* to, SingleBits a, Hits lanes) {
 
 inline Singles joined(HalfSingles a, HalfSingles b) {
   return (Singles)_mm256_set_m128((__m128)b, (__m128)a);
-}
-inline Singles lesser(Singles a, Singles b) {
-  return (Singles)_mm256_min_ps((__m256)a, (__m256)b);
-}
-inline Singles greater(Singles a, Singles b) {
-  return (Singles)_mm256_max_ps((__m256)a, (__m256)b);
 }
 inline Hits less(Singles a, Singles b) {
   return static_cast<Hits>(_mm256_movemask_ps(_mm256_cmp_ps((__m256)a, (__m256)b, _CMP_LT_OQ)));
@@ -115,12 +103,6 @@ inline Singles joined(HalfSingles a, HalfSingles b) {
   std::memcpy(reinterpret_cast<char*>(&all) + sizeof a, &b, sizeof b);
   return all;
 }
-inline Singles lesser(Singles a, Singles b) {
-  return a < b ? a : b;
-}
-inline Singles greater(Singles a, Singles b) {
-  return a > b ? a : b;
-}
 inline Hits less(Singles a, Singles b) {
   const SingleBits condition = a < b;
   Hits lanes = 0;
@@ -148,10 +130,6 @@ inline void store_close(std::int32_t* to, SingleBits a, Hits lanes) {
 
 #endif
 
-inline Singles magnitude(Singles a) {
-  return (Singles)((SingleBits)a & INT32_MAX);
-}
-
 /// (from - origin) scale for a register full of doubles, as floats.
 inline Singles near_floats(const double* from, double origin, double scale) {
   const Lanes a = (load(from) - origin) * scale;
@@ -169,14 +147,14 @@ inline Hits positive(const double* values) {
 /// The square of a pair's reach, from both reach terms.
 template <PairRule rule>
 inline Singles threshold(Singles own, Singles other) {
-  if constexpr (rule == PairRule::max) return greater(own, other);
+  if constexpr (rule == PairRule::max) return larger(own, other);
   if constexpr (rule == PairRule::mean) return (own + other) * (own + other);
   return own;
 }
 
 /// Candidates that many particles are tested against: positions and reach terms, in whole
 /// registers.
-struct Candidates {
+struct CandidateColumns {
   const float *u, *v, *reach;
 };
 
@@ -188,7 +166,7 @@ struct Tested {
 /// Tests a particle against the registers first..last - 1 of candidates; a set of lanes for each
 /// goes to hits[0], ...
 template <PairRule rule>
-inline Tested test(Candidates all, std::size_t first, std::size_t last, float u, float v,
+inline Tested test(CandidateColumns all, std::size_t first, std::size_t last, float u, float v,
                    float reach, float slack, Hits* hits) {
   const Singles own = fill(reach), zero{};
   Singles clearance = fill(3e38f);
@@ -202,7 +180,7 @@ inline Tested test(Candidates all, std::size_t first, std::size_t last, float u,
     const Hits inside = less(zero, gap);
     hits[k - first] = inside;
     count += std::popcount(inside);
-    clearance = lesser(clearance, magnitude(gap) - limit * doubt);
+    clearance = smaller(clearance, magnitude(gap) - limit * doubt);
   }
   return {count, less(fill(slack), clearance) == every_lane};
 }

@@ -76,17 +76,16 @@ void Candidates::add(const SortedParticles& placed, Range others, const Frame& f
       r = kernel::near_floats(placed.reach.data() + k, 0, frame.scale);
       term = rule == PairRule::mean ? 0.5f * r : r * r;
     }
-    const Singles du = kernel::greater(kernel::magnitude(u) - frame.half_u, zero);
-    const Singles dv = kernel::greater(kernel::magnitude(v) - frame.half_v, zero);
+    const Singles du = larger(magnitude(u) - frame.half_u, zero);
+    const Singles dv = larger(magnitude(v) - frame.half_v, zero);
     const Singles limit = kernel::threshold<rule>(own, term) * longer + least_limit;
     auto keep = static_cast<kernel::Hits>(kernel::not_above(du * du + dv * dv, limit) &
                                           kernel::first_singles(others.last - k));
     if constexpr (quiet) keep &= kernel::positive(placed.reach.data() + k);
     kept_.push_back(keep);
     if (keep == 0) continue;
-    const Singles far =
-        kernel::greater(kernel::greater(kernel::magnitude(u), kernel::magnitude(v)), r);
-    farthest = kernel::greater(farthest, far);
+    const Singles far = larger(larger(magnitude(u), magnitude(v)), r);
+    farthest = larger(farthest, far);
     kernel::store_close(u_.data() + size_, u, keep);
     kernel::store_close(v_.data() + size_, v, keep);
     if constexpr (rule != PairRule::own) kernel::store_close(reach_.data() + size_, term, keep);

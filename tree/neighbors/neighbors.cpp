@@ -7,18 +7,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "tree/base/tuning.hpp"
 #include "tree/cells/deep_cells.hpp"
 #include "tree/cells/home_cells.hpp"
 
 namespace vortree::tree {
 
 namespace {
-
-// Cells with no more particles than this are not worth splitting.
-constexpr std::uint32_t few = 4;
-
-// Larger groups are parted, for smaller boxes and for threads.
-constexpr std::uint32_t largest_group = 64;
 
 void check_sizes(std::size_t in_tree, Points points, std::span<const double> reach) {
   std::ostringstream text;
@@ -50,13 +45,13 @@ void Neighbors::place(const Quadtree& tree, Points points, std::span<const doubl
 
 void Neighbors::settle(const HomeCells& own) {
   if (too_shallow(own, placed_)) {
-    const DeepCells deep = deepen(placed_, few);
+    const DeepCells deep = deepen(placed_, few_particles);
     find_content(deep.cells, deep.level, deep.first);
     find_colleagues(deep.cells, colleagues_);
     find_coarser(deep.cells);
     return make_groups(deep.cells, deep.sides);
   }
-  const Quadtree tree = own.tree(few);
+  const Quadtree tree = own.tree(few_particles);
   std::array<double, max_level + 1> sides{};
   for (int level = 0; level <= tree.depth(); ++level) sides[level] = tree.side(level);
   find_content(tree.cells(), own.level, own.first);

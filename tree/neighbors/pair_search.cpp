@@ -5,17 +5,14 @@
 #include <utility>
 
 #include "tree/base/parallel.hpp"
+#include "tree/base/tuning.hpp"
 #include "tree/neighbors/candidates.hpp"
 
 namespace vortree::tree {
 
 namespace {
 
-// So many particles keep a thread busy for a while, and what they find stays in its cache.
-constexpr std::uint32_t chunk_particles = 2048;
-
-// Hits of larger blocks are not kept but found again: most are misses.
-constexpr std::size_t most_kept_registers = 8192 / single_count;
+constexpr std::size_t most_kept_registers = kept_candidates / single_count;
 
 // Ranges that touch the one before them become one with it.
 void join(std::vector<Range>& ranges) {
@@ -209,7 +206,7 @@ void RowSearch::share_out(std::span<const Group> groups) {
   std::uint32_t particles = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
     particles += groups[g].own.size();
-    if (particles < chunk_particles && g + 1 < groups.size()) continue;
+    if (particles < particles_a_turn && g + 1 < groups.size()) continue;
     if (count == chunks_.size()) chunks_.emplace_back();
     chunks_[count].first = first;
     chunks_[count++].last = first = g + 1;

@@ -9,24 +9,15 @@
 #include <vector>
 
 #include "tree/base/parallel.hpp"
+#include "tree/base/tuning.hpp"
 
 namespace vortree::tree {
 
 namespace {
 
-// More places to write to than lines of the second cache make writing slow; more than numbers,
-// counting.
 int most_bits(std::size_t n) {
-  return std::clamp(static_cast<int>(std::bit_width(n)) - 2, 6, 14);
+  return std::clamp(static_cast<int>(std::bit_width(n)) - 2, least_digit_bits, most_digit_bits);
 }
-
-struct Digit {
-  int low, bits;
-  [[nodiscard]] std::size_t count() const { return std::size_t{1} << bits; }
-  [[nodiscard]] std::size_t operator()(std::uint64_t number) const {
-    return number >> low & (count() - 1);
-  }
-};
 
 // Each piece counts for itself, so that threads share the work and the order is kept.
 void part(std::span<const std::uint64_t> from, Digit digit, std::span<std::uint64_t> to) {

@@ -1,10 +1,20 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "tree/base/memory.hpp"
 
 namespace vortree::tree {
+
+/// Some of the bits of a number, read as a number.
+struct Digit {
+  int low, bits;
+  [[nodiscard]] std::size_t count() const { return std::size_t{1} << bits; }
+  [[nodiscard]] std::size_t operator()(std::uint64_t number) const {
+    return number >> low & (count() - 1);
+  }
+};
 
 /// Sorts numbers ascending by their bits low..high - 1; stable.
 ///

@@ -10,7 +10,7 @@
 namespace vortree::tree::kernel {
 
 /// One axis of a domain.
-struct Axis {
+struct DomainAxis {
   double first, last, scale;
 
   [[nodiscard]] bool holds(double v) const { return (v >= first) & (v <= last); }
@@ -28,8 +28,8 @@ struct Axis {
 
 /// Codes of n points, and how many of them lie outside.
 [[nodiscard]] inline std::size_t plain_codes(const double* x, const double* y, std::size_t n,
-                                             const Axis& along_x, const Axis& along_y, Key mask,
-                                             Key* codes) {
+                                             const DomainAxis& along_x, const DomainAxis& along_y,
+                                             Key mask, Key* codes) {
   std::size_t strays = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const bool in_x = along_x.holds(x[i]), in_y = along_y.holds(y[i]);
@@ -42,38 +42,35 @@ struct Axis {
 #if defined(__AVX2__)
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512BW__)
-using Whole = __m512i;
-using HalfWhole = __m256i;
-
-inline HalfWhole truncated(Lanes q) {
+inline __m256i truncated(Lanes q) {
   return _mm512_cvttpd_epi32((__m512d)q);
 }
-inline Whole widened(HalfWhole v) {
+inline __m512i widened(__m256i v) {
   return _mm512_cvtepu32_epi64(v);
 }
-inline Whole looked_up(Whole table, Whole at) {
+inline __m512i looked_up(__m512i table, __m512i at) {
   return _mm512_shuffle_epi8(table, at);
 }
-inline Whole repeated(__m128i v) {
+inline __m512i repeated(__m128i v) {
   return _mm512_broadcast_i32x4(v);
 }
 #else
-using Whole = __m256i;
-using HalfWhole = __m128i;
-
-inline HalfWhole truncated(Lanes q) {
+inline __m128i truncated(Lanes q) {
   return _mm256_cvttpd_epi32((__m256d)q);
 }
-inline Whole widened(HalfWhole v) {
+inline __m256i widened(__m128i v) {
   return _mm256_cvtepu32_epi64(v);
 }
-inline Whole looked_up(Whole table, Whole at) {
+inline __m256i looked_up(__m256i table, __m256i at) {
   return _mm256_shuffle_epi8(table, at);
 }
-inline Whole repeated(__m128i v) {
+inline __m256i repeated(__m128i v) {
   return _mm256_broadcastsi128_si256(v);
 }
 #endif
+
+using HalfWhole = decltype(truncated(Lanes{}));
+using Whole = decltype(widened(HalfWhole{}));
 
 /// spread_bits of every lane: each byte is doubled, and half a byte looked up for each of the two.
 inline Bits spread_lanes(HalfWhole number) {
@@ -86,13 +83,13 @@ inline Bits spread_lanes(HalfWhole number) {
 }
 
 [[nodiscard]] inline std::size_t codes(const double* x, const double* y, std::size_t n,
-                                       const Axis& along_x, const Axis& along_y, Key mask,
-                                       Key* codes) {
-  const auto cell = [](Lanes v, const Axis& axis) {
+                                       const DomainAxis& along_x, const DomainAxis& along_y,
+                                       Key mask, Key* codes) {
+  const auto cell = [](Lanes v, const DomainAxis& axis) {
     const Lanes q = (v - axis.first) * axis.scale;
-    return truncated(smaller(larger(q, Lanes{}), fill(Axis::last_cell)));
+    return truncated(smaller(larger(q, Lanes{}), fill(DomainAxis::last_cell)));
   };
-  const auto outside = [](Lanes v, const Axis& axis) {
+  const auto outside = [](Lanes v, const DomainAxis& axis) {
     return ~((v >= axis.first) & (v <= axis.last));
   };
   Bits strays = {};  // minus one for each
@@ -112,8 +109,8 @@ inline Bits spread_lanes(HalfWhole number) {
 #else
 
 [[nodiscard]] inline std::size_t codes(const double* x, const double* y, std::size_t n,
-                                       const Axis& along_x, const Axis& along_y, Key mask,
-                                       Key* codes) {
+                                       const DomainAxis& along_x, const DomainAxis& along_y,
+                                       Key mask, Key* codes) {
   return plain_codes(x, y, n, along_x, along_y, mask, codes);
 }
 

@@ -13,20 +13,13 @@
 
 #include "tree/base/memory.hpp"
 #include "tree/base/parallel.hpp"
+#include "tree/base/tuning.hpp"
+#include "tree/order/digit_sort.hpp"
 #include "tree/order/run_sort.hpp"
 
 namespace vortree::tree {
 
 namespace {
-
-// More buckets than lines of the nearest cache make writing to them slow.
-constexpr int most_first_bits = 10, next_bits = 8;
-
-// A bucket is large if it alone would keep a thread busy for so much of its share.
-constexpr std::size_t large_part = 8;
-
-// So many keys with the first bits in common will have more in common than the next few.
-constexpr std::size_t crowd = 100000;
 
 Key differing_bits(std::span<const Key> keys) {
   Key differing = 0;
@@ -45,15 +38,11 @@ Key differing_bits(std::span<const Record> records) {
   return differing;
 }
 
-// So many bits below the highest one that differs.
-struct Digit {
-  int low, bits;
-  Digit(Key differing, int most)
-      : low(std::max(0, static_cast<int>(std::bit_width(differing)) - most)),
-        bits(std::min(most, static_cast<int>(std::bit_width(differing)))) {}
-  [[nodiscard]] std::size_t count() const { return std::size_t{1} << bits; }
-  [[nodiscard]] std::size_t operator()(Key key) const { return key >> low & (count() - 1); }
-};
+// At most so many bits, from the highest one that differs.
+Digit highest_digit(Key differing, int most) {
+  const int width = std::bit_width(differing);
+  return {std::max(0, width - most), std::min(most, width)};
+}
 
 // Numbers keys by where they stand among some of them, picked so that buckets come out about
 // equally full however the keys crowd. A key that was picked twice has a bucket of its own.
@@ -81,13 +70,12 @@ class Splitters {
   [[nodiscard]] std::size_t operator()(Key key) const {
     std::size_t place = 1;
 #pragma GCC unroll 8
-    for (int level = 0; level < levels; ++level) place = 2 * place + (key >= tree_[place]);
+    for (int level = 0; level < splitter_levels; ++level) place = 2 * place + (key >= tree_[place]);
     return place - buckets;
   }
 
  private:
-  static constexpr int levels = 8;
-  static constexpr std::size_t buckets = 1 << levels, picked_a_bucket = 8;
+  static constexpr std::size_t buckets = 1 << splitter_levels;
   static constexpr std::size_t picked = buckets / 2 * picked_a_bucket;  // a bucket may become two
 
   // The bounds from `first` on in order below and at a place of the tree; returns the next one.
@@ -137,7 +125,7 @@ class Sorter {
       : keys_(keys), index_(index), records_(keys.size()) {
     const auto threads = static_cast<std::size_t>(omp_get_max_threads());
     const bool shared = threads > 1 && keys.size() > worth_sharing;
-    large_ = shared ? keys.size() / (threads * large_part) : keys.size();
+    large_ = shared ? keys.size() / (threads * large_bucket) : keys.size();
   }
 
   // index_of(i) belongs to key i.
@@ -145,7 +133,7 @@ class Sorter {
   void run(Key differing, const IndexOf& index_of) {
     const std::size_t n = keys_.size();
     const int bits = (static_cast<int>(std::bit_width(n)) + 2) / 2;
-    const Digit digit(differing, std::min(most_first_bits, bits));
+    const Digit digit = highest_digit(differing, std::min(first_digit_bits, bits));
     const auto ends = part(
         n, pieces_of(n), digit, [&](std::size_t i) { return keys_[i]; },
         [&](std::size_t i, std::uint32_t to) {
@@ -165,8 +153,9 @@ class Sorter {
   // Parts a bucket anew so that no part is all of it: a crowd by splitters, few by the next bits
   // that differ.
   std::vector<std::uint32_t> part_again(Range bucket, Key differing, std::size_t some) {
-    return bucket.size() > crowd ? part_by(Splitters(records(bucket)), bucket, some)
-                                 : part_by(Digit(differing, next_bits), bucket, some);
+    return bucket.size() > crowded_keys
+               ? part_by(Splitters(records(bucket)), bucket, some)
+               : part_by(highest_digit(differing, next_digit_bits), bucket, some);
   }
 
   template <class Digits>
@@ -204,7 +193,7 @@ class Sorter {
     const int most = RunSort::most_bits(bucket.size());
     const auto few = [=](Key bits) {
       return bits == 0 ||
-             (bucket.size() <= crowd && static_cast<int>(std::bit_width(bits)) <= most);
+             (bucket.size() <= crowded_keys && static_cast<int>(std::bit_width(bits)) <= most);
     };
     if (!few(differing)) differing = differing_bits(records(bucket));
     if (few(differing)) {

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <bit>
 
+#include "tree/base/tuning.hpp"
+
 namespace vortree::tree {
 
 namespace {
-
-// Below this length, insertion is faster than counting.
-constexpr std::size_t short_run = 24;
-
-constexpr int most_digit_bits = 12;
 
 void insert(std::uint64_t number, std::uint64_t* begin, std::uint64_t* place) {
   for (; place > begin && place[-1] > number; --place) *place = place[-1];
@@ -87,14 +84,14 @@ void RunSort::whole(std::span<Key> keys, std::span<std::uint32_t> index) {
 
 // The leading bits differ, or the run is short.
 void RunSort::sort(std::span<std::uint64_t> numbers, std::span<std::uint64_t> spare) {
-  if (numbers.size() <= short_run) {
+  if (numbers.size() <= insertion_run) {
     for (std::uint64_t& number : numbers) insert(number, numbers.data(), &number);
     return;
   }
   std::uint64_t differing = 0;
   for (const std::uint64_t number : numbers) differing |= number ^ numbers[0];
   const int shared = std::countl_zero(differing);
-  const int bits = std::min<int>(most_digit_bits, std::bit_width(numbers.size()));
+  const int bits = std::min<int>(run_digit_bits, std::bit_width(numbers.size()));
   const auto digit = [=](std::uint64_t number) { return number << shared >> (64 - bits); };
 
   const std::size_t digits = std::size_t{1} << bits;
@@ -108,7 +105,7 @@ void RunSort::sort(std::span<std::uint64_t> numbers, std::span<std::uint64_t> sp
     next += count;
   }
   for (const std::uint64_t number : numbers) spare[place_[digit(number)]++] = number;
-  if (most <= short_run) return insert_in_order(spare, numbers);
+  if (most <= insertion_run) return insert_in_order(spare, numbers);
   // Crowds are sorted one by one; the table of places is used again for each.
   for (std::size_t first = 0, last = 0; first < spare.size(); first = last) {
     const std::uint64_t shared_digit = digit(spare[first]);

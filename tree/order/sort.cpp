@@ -7,14 +7,13 @@
 #include <stdexcept>
 
 #include "tree/base/parallel.hpp"
+#include "tree/base/tuning.hpp"
 #include "tree/order/encode_kernel.hpp"
 #include "tree/order/radix_sort.hpp"
 
 namespace vortree::tree {
 
 namespace {
-
-constexpr std::size_t portion = 4096;  // points that a thread encodes at a time
 
 [[noreturn]] void refuse_point(Points points, const Domain& domain, std::size_t i) {
   std::ostringstream text;
@@ -45,16 +44,16 @@ void check_request(Points points, const Domain& domain, int finest) {
 
 Unwritten<Key> encode_points(Points points, const Domain& domain, int finest) {
   const double scale = 0x1p31 / domain.side;
-  const kernel::Axis x{domain.x0, domain.x0 + domain.side, scale};
-  const kernel::Axis y{domain.y0, domain.y0 + domain.side, scale};
+  const kernel::DomainAxis x{domain.x0, domain.x0 + domain.side, scale};
+  const kernel::DomainAxis y{domain.y0, domain.y0 + domain.side, scale};
   const Key mask = ~Key{0} << 2 * (max_level - finest);
   const std::size_t n = points.size();
   Unwritten<Key> keys(n);
   std::size_t strays = 0;
 #pragma omp parallel for schedule(static) reduction(+ : strays) if (n > worth_sharing)
-  for (std::size_t first = 0; first < n; first += portion) {
-    strays += kernel::codes(&points.x[first], &points.y[first], std::min(portion, n - first), x, y,
-                            mask, &keys[first]);
+  for (std::size_t first = 0; first < n; first += encoded_at_once) {
+    strays += kernel::codes(&points.x[first], &points.y[first],
+                            std::min(encoded_at_once, n - first), x, y, mask, &keys[first]);
   }
   if (strays != 0) {
     std::size_t i = 0;

@@ -80,7 +80,7 @@ Remainder::Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Mer
       slot_(parts.size()),
       choice_(parts.size()),
       paired_(parts.size()) {
-  candidates_.resize(parts.size() + merge_kernel::Lanes::size());
+  candidates_.resize(parts.size() + single_count);
   std::fill(candidates_.x.begin() + parts.size(), candidates_.x.end(), merge_kernel::never);
   const std::ptrdiff_t n = std::ssize(parts);
 #pragma omp parallel for schedule(static)
@@ -105,7 +105,7 @@ double Remainder::reach_of(std::size_t slot) const {
 /// The first of these, and as many more as fit a vector and lie close, choose their partners.
 /// Returns how many.
 std::size_t Remainder::seek_together(std::span<const Number> seeking) {
-  merge_kernel::Seekers<merge_kernel::Lanes> seekers;
+  merge_kernel::Seekers<Singles> seekers;
   Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
   const Part& first = parts_[seeking[0]];
   for (Number i : seeking.first(std::min(seeking.size(), seekers.most))) {
@@ -136,7 +136,7 @@ std::size_t Remainder::seek_together(std::span<const Number> seeking) {
 void Remainder::seek_alone(Number i) {
   const Part& p = parts_[i];
   const double reach = reach_of(slot_[i]);
-  merge_kernel::LoneSeeker<merge_kernel::Lanes> seeker(candidates_, slot_[i]);
+  merge_kernel::LoneSeeker seeker(candidates_, slot_[i]);
   std::size_t looked = 0;
   bins_.runs_near(p.centre(), reach, [&](Number from, Number to) {
     seeker.consider(candidates_, from, to, limits_);

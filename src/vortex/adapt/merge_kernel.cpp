@@ -62,9 +62,9 @@ constexpr std::uint32_t bit(std::uint8_t i) {
 void Window::choose(const Limits& limits) {
   chose_ &= ~seeking_;
   for (Set left = seeking_; left != 0;) {
-    Seekers<Lanes> seekers;
-    std::array<Number, Lanes::size()> who;
-    for (; left != 0 && seekers.size() < Lanes::size(); left &= left - 1) {
+    Seekers<Singles> seekers;
+    std::array<Number, single_count> who;
+    for (; left != 0 && seekers.size() < single_count; left &= left - 1) {
       const auto i = static_cast<Number>(std::countr_zero(left));
       who[seekers.size()] = i;
       seekers.add(traits_, i, i);

@@ -5,31 +5,51 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <experimental/simd>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
+#include "tree/base/simd.hpp"
 #include "vortex/adapt/adaptation.hpp"
 #include "vortex/adapt/merge_close.hpp"
 
 namespace vortree::vortex::merge_kernel {
 
-namespace stdx = std::experimental;
-using Lanes = stdx::native_simd<float>;
-using Lone = stdx::simd<float, stdx::simd_abi::scalar>;  // the plain twin
+// What follows is written once for V, a register full of floats (Singles) or one, its plain twin.
 
-/// where(chosen, to) = value, which libstdc++ 12 does to all lanes or none when clang compiles it
-/// for AVX-512.
 template <class V>
-[[gnu::always_inline]] inline void assign(const typename V::mask_type& chosen, V& to,
-                                          const V& value) {
-#if defined(__clang__) && defined(__AVX512F__)
-  to = V([&](auto k) { return chosen[k] ? float{value[k]} : float{to[k]}; });
-#else
-  where(chosen, to) = value;
-#endif
+inline constexpr std::size_t lanes_of = sizeof(V) / sizeof(float);
+template <class V>
+using Chosen = decltype(V{} < V{});
+
+template <class V>
+[[gnu::always_inline]] inline V everywhere(float value) {
+  return value - V{};
 }
+template <class V>
+[[gnu::always_inline]] inline V load_from(const float* from) {
+  if constexpr (std::is_same_v<V, float>)
+    return *from;
+  else
+    return load(from);
+}
+inline void store(float* to, float a) {
+  *to = a;
+}
+inline float larger(float a, float b) {
+  return a > b ? a : b;
+}
+inline float smaller(float a, float b) {
+  return a < b ? a : b;
+}
+inline float select(bool condition, float a, float b) {
+  return condition ? a : b;
+}
+inline float magnitude(float a) {
+  return std::abs(a);
+}
+using vortree::larger, vortree::smaller, vortree::magnitude, vortree::select, vortree::store;
 
 constexpr float never = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t none = ~0u;
@@ -40,19 +60,19 @@ struct Choice {
   float error = never;
 };
 
-/// Lengths are looked at in widest cores, circulations in tolerances times that, to a power of two:
-/// single precision has too few exponents for the units of every scene.
-struct Units {
-  double per_length = 1, per_circulation = 1;
-
-  explicit Units(const Merging& merging)
-      : per_length(std::exp2(-std::ilogb(merging.sigma_max))),
-        per_circulation(per_length * std::exp2(-std::ilogb(merging.tolerance))) {}
-};
-
 /// What a choice of partners looks at, in single precision: a choice to seven digits is as good,
 /// and twice as many fit a vector.
 struct Limits {
+  /// Lengths are looked at in widest cores, circulations in tolerances times that, to a power of
+  /// two: single precision has too few exponents for the units of every scene.
+  struct Units {
+    double per_length = 1, per_circulation = 1;
+
+    explicit Units(const Merging& merging)
+        : per_length(std::exp2(-std::ilogb(merging.sigma_max))),
+          per_circulation(per_length * std::exp2(-std::ilogb(merging.tolerance))) {}
+  };
+
   Units units;
   float tolerance, reach2, widest2;
 
@@ -73,7 +93,7 @@ struct Traits {
 template <class V>
 struct Price {
   V error;
-  typename V::mask_type within;
+  Chosen<V> within;
 };
 template <class V>
 [[gnu::always_inline]] inline Price<V> price(const Traits<V>& a, const Traits<V>& b,
@@ -82,10 +102,11 @@ template <class V>
   const V d2 = dx * dx + dy * dy;
   const V w = a.gamma / (a.gamma + b.gamma);
   const V unlike = a.square - b.square;
-  const V cost = w * b.gamma * (d2 + abs(unlike)) * max(a.inverse_cube, b.inverse_cube);
+  const V cost = w * b.gamma * (d2 + magnitude(unlike)) * larger(a.inverse_cube, b.inverse_cube);
   const V wide = b.square + w * (unlike + (1.0f - w) * d2);
-  return {cost, d2 <= limits.reach2 * min(a.square, b.square) &&
-                    wide <= V(limits.widest2) * min(a.widening2, b.widening2)};
+  const Chosen<V> near = d2 <= limits.reach2 * smaller(a.square, b.square);
+  const Chosen<V> narrow = wide <= limits.widest2 * smaller(a.widening2, b.widening2);
+  return {cost, Chosen<V>(near & narrow)};
 }
 
 /// The error where it is allowed, `never` elsewhere.
@@ -93,9 +114,8 @@ template <class V>
 [[gnu::always_inline]] inline V error(const Traits<V>& a, const Traits<V>& b,
                                       const Limits& limits) {
   const auto [cost, within] = price(a, b, limits);
-  V result = never;
-  assign(within && cost <= V(limits.tolerance), result, cost);
-  return result;
+  const Chosen<V> allowed = within & (cost <= limits.tolerance);
+  return select(allowed, cost, everywhere<V>(never));
 }
 
 /// Traits in columns.
@@ -108,7 +128,8 @@ struct Columns {
   }
   /// gamma must be positive; too small a one vanishes in single precision, and is kept above it. A
   /// widened tolerance is an error as many times smaller.
-  void put(std::size_t k, const Units& units, Vec2 at, double g, double s2, float widening = 1) {
+  void put(std::size_t k, const Limits::Units& units, Vec2 at, double g, double s2,
+           float widening = 1) {
     x[k] = static_cast<float>(at.x * units.per_length);
     y[k] = static_cast<float>(at.y * units.per_length);
     gamma[k] = std::max(static_cast<float>(g * units.per_circulation), 1e-30f);
@@ -127,12 +148,13 @@ struct Columns {
   /// The one at k, in all lanes.
   template <class V>
   Traits<V> lone(std::size_t k) const {
-    return {x[k], y[k], gamma[k], square[k], inverse_cube[k], widening2[k]};
+    const auto of = [k](const Column& column) { return everywhere<V>(column[k]); };
+    return {of(x), of(y), of(gamma), of(square), of(inverse_cube), of(widening2)};
   }
   /// Those from k on, one a lane.
   template <class V>
   Traits<V> lanes(std::size_t k) const {
-    const auto from = [k](const Column& column) { return V(&column[k], stdx::element_aligned); };
+    const auto from = [k](const Column& column) { return load_from<V>(&column[k]); };
     return {from(x), from(y), from(gamma), from(square), from(inverse_cube), from(widening2)};
   }
 };
@@ -141,7 +163,7 @@ struct Columns {
 template <class V>
 class Seekers {
  public:
-  static constexpr std::size_t most = V::size();
+  static constexpr std::size_t most = lanes_of<V>;
 
   std::size_t size() const { return size_; }
 
@@ -158,17 +180,18 @@ class Seekers {
       numbers_[k] = numbers_[0];
     }
     const Traits<V> seekers = mine_.template lanes<V>(0);
-    const V own(numbers_.data(), stdx::element_aligned);
-    V least = std::nextafter(limits.tolerance, never), partner = tag(none);
+    const V own = load_from<V>(numbers_.data());
+    V least = everywhere<V>(std::nextafter(limits.tolerance, never));
+    V partner = everywhere<V>(tag(none));
     all([&](std::uint32_t number) {
       const auto [e, within] = price(seekers, columns.template lone<V>(number), limits);
-      const V candidate = tag(number);
-      const auto better = within && e < least && own != candidate;
-      assign(better, least, e);
-      assign(better, partner, candidate);
+      const V candidate = everywhere<V>(tag(number));
+      const Chosen<V> better = within & (e < least) & (own != candidate);
+      least = select(better, e, least);
+      partner = select(better, candidate, partner);
     });
-    least.copy_to(errors_.data(), stdx::element_aligned);
-    partner.copy_to(partners_.data(), stdx::element_aligned);
+    store(errors_.data(), least);
+    store(partners_.data(), partner);
   }
 
   Choice choice(std::size_t k) const {
@@ -188,31 +211,30 @@ class Seekers {
 
 /// The partner of part `own` among the candidates in runs of columns, a vector of them at a time;
 /// the same as Seekers choose, but for candidates beyond a run's end, which count, too. Columns
-/// must go on for V::size() more places, whose x is `never`.
-template <class V>
+/// must go on for a vector's more places, whose x is `never`.
 class LoneSeeker {
  public:
   LoneSeeker(const auto& columns, std::uint32_t own)
-      : mine_(columns.template lone<V>(own)), own_(own) {}
+      : mine_(columns.template lone<Singles>(own)), own_(own) {}
 
   void consider(const auto& columns, std::uint32_t first, std::uint32_t last,
                 const Limits& limits) {
-    for (; first < last; first += V::size()) {
-      V e = error(mine_, columns.template lanes<V>(first), limits);
-      if (own_ - first < V::size()) e[own_ - first] = never;
-      if (any_of(e < V(least_.error))) take(e, first);
+    for (; first < last; first += single_count) {
+      Singles e = error(mine_, columns.template lanes<Singles>(first), limits);
+      if (own_ - first < single_count) e[own_ - first] = never;
+      if (where(e < least_.error) != 0) take(e, first);
     }
   }
 
   Choice choice() const { return least_; }
 
  private:
-  void take(const V& e, std::uint32_t first) {
-    for (std::uint32_t k = 0; k < V::size(); ++k)
+  void take(Singles e, std::uint32_t first) {
+    for (std::uint32_t k = 0; k < single_count; ++k)
       if (e[k] < least_.error) least_ = {first + k, e[k]};
   }
 
-  Traits<V> mine_;
+  Traits<Singles> mine_;
   std::uint32_t own_;
   Choice least_;
 };

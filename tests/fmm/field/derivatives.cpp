@@ -89,7 +89,7 @@ TEST_CASE("near pairs agree with their plain twin to round-off, from r = 1e-7 co
     const double angle = 2 * pi * uniform(), sigma = std::exp(-8 * uniform());
     const double r = k % 100 == 0 ? 0.0 : sigma * std::exp(std::log(1e-7) + 19.5 * uniform());
     const double gamma = 2 * uniform() - 1, core = sigma * sigma;
-    fmm::Packed source;
+    fmm::PackedSources source;
     source.restart(1);
     source.add(0.0, 0.0, gamma, core);
     source.close();

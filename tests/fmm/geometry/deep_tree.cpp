@@ -64,7 +64,7 @@ double worst_centre(const fmm::DeepTree& tree) {
   double worst = 0.0;
   for (std::size_t c = 1; c < tree.cells().size(); ++c) {
     const fmm::DeepCell& cell = tree.cells()[c];
-    const fmm::Frame &own = tree.frame(c), &above = tree.frame(cell.parent);
+    const fmm::CellFrame &own = tree.frame(c), &above = tree.frame(cell.parent);
     const test::Quad quarter = above.side / 4;
     const test::Quad dx = test::centre_x(own) - test::centre_x(above);
     const test::Quad dy = test::centre_y(own) - test::centre_y(above);
@@ -80,7 +80,7 @@ double worst_centre(const fmm::DeepTree& tree) {
 double worst_place(const Grown& grown) {
   double worst = 0.0;
   for (std::size_t c = 0; c < grown.tree.cells().size(); ++c) {
-    const fmm::Frame& at = grown.tree.frame(c);
+    const fmm::CellFrame& at = grown.tree.frame(c);
     const tree::Range points = grown.tree.cells()[c].points;
     for (std::uint32_t j = points.first; j < points.last; ++j) {
       const std::uint32_t i = grown.tree.order()[j];

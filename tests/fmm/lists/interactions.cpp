@@ -141,7 +141,8 @@ TEST_CASE("with a kernel of one, every target counts every source, and only wher
     const Side others(b.x, b.y, cores(b.size(), round % 3, uniform), capacity, finest);
     const double tolerance = std::pow(10.0, -2.0 - 10.0 * uniform());
     const fmm::Acceptance acceptance{
-        .order = round % 2 == 0 ? fmm::Order::for_tolerance(tolerance) : fmm::Order::fixed(7),
+        .order = round % 2 == 0 ? fmm::SeriesOrder::for_tolerance(tolerance)
+                                : fmm::SeriesOrder::fixed(7),
         .reach2 = round % 4 == 0 ? 0.0 : std::log(1.0 / tolerance),
         .cores = round % 3 == 0 ? fmm::Cores::mean : fmm::Cores::source};
     check_lists(sources, sources, acceptance);
@@ -151,7 +152,7 @@ TEST_CASE("with a kernel of one, every target counts every source, and only wher
 
 TEST_CASE("terms chosen for a ratio keep the stated bound, and grow with it") {
   for (const double tolerance : {0.5, 1e-2, 1e-6, 1e-12, 1e-15}) {
-    const fmm::Order order = fmm::Order::for_tolerance(tolerance);
+    const fmm::SeriesOrder order = fmm::SeriesOrder::for_tolerance(tolerance);
     int last = 0;
     for (double ratio = 0.0; ratio < fmm::widest_ratio; ratio += 0.01) {
       const int terms = order.terms(ratio * ratio);

@@ -25,7 +25,7 @@ struct Seen {
 /// A kernel of one: of each childless cell, how often it counts every other.
 class Count {
  public:
-  Count(const Grown& grown, std::uint32_t few, const fmm::Lists::Hidden& hidden)
+  Count(const Grown& grown, std::uint32_t few, const fmm::InteractionLists::Hidden& hidden)
       : tree_(grown.tree),
         hidden_(hidden),
         few_(few),
@@ -67,7 +67,7 @@ class Count {
 
   /// The centres' differences over the side of a, and the gap of the squares over it.
   [[nodiscard]] std::array<double, 3> between(std::uint32_t a, std::uint32_t b) const {
-    const fmm::Frame &own = tree_.frame(a), &other = tree_.frame(b);
+    const fmm::CellFrame &own = tree_.frame(a), &other = tree_.frame(b);
     const auto dx = static_cast<double>((test::centre_x(own) - test::centre_x(other)) / own.side);
     const auto dy = static_cast<double>((test::centre_y(own) - test::centre_y(other)) / own.side);
     const double half = (1 + other.side / own.side) / 2;
@@ -116,7 +116,7 @@ class Count {
 
   void add_near(std::uint32_t leaf) {
     const std::uint32_t b = tree_.childless()[leaf];
-    if (lists_.neighbors(b)[fmm::Lists::middle] != fmm::nobody) {
+    if (lists_.neighbors(b)[fmm::InteractionLists::middle] != fmm::nobody) {
       ++at_[leaf][leaf];
     } else {
       ++seen.itself;
@@ -147,15 +147,15 @@ class Count {
   }
 
   const fmm::DeepTree& tree_;
-  const fmm::Lists::Hidden& hidden_;
+  const fmm::InteractionLists::Hidden& hidden_;
   std::uint32_t few_;
-  fmm::Lists lists_;
+  fmm::InteractionLists lists_;
   std::vector<Row> local_, at_;
   std::multiset<std::pair<std::uint32_t, std::uint32_t>> ahead_, behind_;
 };
 
 /// Refuses one pair in `one_of`, at random but the same for (a, b) and (b, a).
-fmm::Lists::Hidden refuse_some(std::uint32_t one_of) {
+fmm::InteractionLists::Hidden refuse_some(std::uint32_t one_of) {
   return [one_of](std::uint32_t a, std::uint32_t b, double) {
     const std::uint64_t low = std::min(a, b), high = std::max(a, b);
     return (((low << 32 | high) + 7) * 0x9e3779b97f4a7c15u >> 40) % one_of != 0;
@@ -168,7 +168,7 @@ void count_all(Seen& all, const Seen& seen) {
   all.deep_v += seen.deep_v, all.deep_x += seen.deep_x;
 }
 
-Seen check_rounds(int rounds, const std::vector<fmm::Lists::Hidden>& rules) {
+Seen check_rounds(int rounds, const std::vector<fmm::InteractionLists::Hidden>& rules) {
   test::Uniform uniform(31);
   Seen all;
   for (int round = 0; round < rounds; ++round) {

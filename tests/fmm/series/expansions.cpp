@@ -118,17 +118,17 @@ void check_to_points() {
       CAPTURE(size, order);
       const Cluster<Number> inside(size, true, uniform), outside(size, false, uniform);
       const Series<Number> series(order, uniform);
-      alignas(64) Number u[fmm::most_points], v[fmm::most_points];
-      std::fill_n(u, fmm::most_points, Number{1});
-      std::fill_n(v, fmm::most_points, Number{1});
+      alignas(64) Number u[fmm::points_a_series], v[fmm::points_a_series];
+      std::fill_n(u, fmm::points_a_series, Number{1});
+      std::fill_n(v, fmm::points_a_series, Number{1});
       fmm::by_rows<n>(inside.points.vectors, [&]<int rows>(int i) {
         fmm::l2p_rows<Number, rows>(series.parts.data(), series.padded, order, inside.points.x + i,
                                     inside.points.y + i, u + i, v + i);
       });
       CHECK(field_error(inside, u, v, 10.0,
                         [&](Complex z) { return fmm::l2p(series.plain, 0.0, 1.0, z); }) < 3.0);
-      std::fill_n(u, fmm::most_points, Number{1});
-      std::fill_n(v, fmm::most_points, Number{1});
+      std::fill_n(u, fmm::points_a_series, Number{1});
+      std::fill_n(v, fmm::points_a_series, Number{1});
       fmm::by_rows<n>(outside.points.vectors, [&]<int rows>(int i) {
         fmm::m2p_rows<Number, rows>(series.parts.data(), series.padded, order, outside.points.x + i,
                                     outside.points.y + i, u + i, v + i);

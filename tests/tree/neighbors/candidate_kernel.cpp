@@ -38,8 +38,8 @@ TEST_CASE("a register of floats is compared, clipped and made as each of its lan
     }
     const Singles va = load(a.data()), vb = load(b.data());
     const Singles made = kernel::near_floats(wide.data(), 50.0, 0.25);
-    const Singles low = kernel::lesser(va, vb), high = kernel::greater(va, vb);
-    const Singles size = kernel::magnitude(va);
+    const Singles low = smaller(va, vb), high = larger(va, vb);
+    const Singles size = magnitude(va);
     const unsigned below = kernel::less(va, vb);
     for (int i = 0; i < single_count; ++i) {
       REQUIRE(made[i] == static_cast<float>((wide[i] - 50.0) * 0.25));

@@ -169,7 +169,7 @@ TEST_CASE("codes of many points at once are those of one after the other") {
       y[i] = chance.whole(0, 9) == 0 ? nan : chance.real();
     }
     if (n > 3) x[1] = 1.0, y[1] = 0.0, x[2] = 1e300, y[3] = -1e300;
-    const tree::kernel::Axis axis{0.0, 1.0, 0x1p31};
+    const tree::kernel::DomainAxis axis{0.0, 1.0, 0x1p31};
     const tree::Key mask = ~tree::Key{0} << 2 * chance.whole(0, 31);
     std::vector<tree::Key> fast(n), plain(n);
     const std::size_t strays =

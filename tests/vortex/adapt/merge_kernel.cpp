@@ -42,7 +42,7 @@ double plain_error(const Blobs& b, std::size_t i, std::size_t j) {
   const double cost = w * b.gamma[j] * (d2 + std::abs(si - sj)) / (s * s * s);
   const bool allowed = d2 <= 4 * s * s && cost <= merging.tolerance &&
                        w * si + (1 - w) * sj + w * (1 - w) * d2 <= 0.04;
-  const Units& units = limits.units;
+  const Limits::Units& units = limits.units;
   return allowed ? cost * units.per_circulation / units.per_length : INFINITY;
 }
 
@@ -59,11 +59,11 @@ TEST_CASE("the error of a merger is the same in vectors and alone") {
   const Blobs blobs = cloud(320);
   const Table all = table(blobs);
   for (std::uint32_t i = 0; i < blobs.size(); i += 7)
-    for (std::uint32_t j = 0; j < blobs.size(); j += Lanes::size()) {
-      const Lanes many = error(all.lone<Lanes>(i), all.lanes<Lanes>(j), limits);
-      for (std::uint32_t k = 0; k < Lanes::size(); ++k)
-        CHECK(many[k] == Approx(float{error(all.lone<Lone>(i), all.lone<Lone>(j + k), limits)[0]})
-                             .epsilon(1e-5));
+    for (std::uint32_t j = 0; j < blobs.size(); j += single_count) {
+      const Singles many = error(all.lone<Singles>(i), all.lanes<Singles>(j), limits);
+      for (std::uint32_t k = 0; k < single_count; ++k)
+        CHECK(many[k] ==
+              Approx(error(all.lone<float>(i), all.lone<float>(j + k), limits)).epsilon(1e-5));
     }
 }
 
@@ -72,9 +72,9 @@ TEST_CASE("those who seek together find the partners that a plain search in doub
   const Table all = table(b);
   int found = 0;
   for (std::uint32_t first = 0; first < b.size(); first += 11) {
-    Seekers<Lanes> seekers;
+    Seekers<Singles> seekers;
     for (std::uint32_t i = first; i < std::min(b.size(), first + std::size_t{11}); ++i)
-      if (seekers.size() < Lanes::size()) seekers.add(all, i, i);
+      if (seekers.size() < single_count) seekers.add(all, i, i);
     seekers.choose(all, limits, [&](auto consider) {
       for (std::uint32_t j = 0; j < b.size(); ++j) consider(j);
     });
@@ -94,16 +94,16 @@ TEST_CASE("those who seek together find the partners that a plain search in doub
 TEST_CASE("one who seeks alone finds what one who seeks with others finds") {
   const Blobs b = cloud(200);
   Table all = table(b);
-  all.resize(b.size() + Lanes::size());
+  all.resize(b.size() + single_count);
   std::fill(all.x.begin() + b.size(), all.x.end(), never);
   int found = 0;
   for (std::uint32_t i = 0; i < b.size(); ++i) {
-    Seekers<Lone> plain;
+    Seekers<float> plain;
     plain.add(all, i, i);
     plain.choose(all, limits, [&](auto consider) {
       for (std::uint32_t j = 0; j < b.size(); ++j) consider(j);
     });
-    LoneSeeker<Lanes> alone(all, i);
+    LoneSeeker alone(all, i);
     for (const auto& [first, last] : {std::pair{0u, 3u}, {3u, 90u}, {90u, 200u}})
       alone.consider(all, first, last, limits);
     const Choice expected = plain.choice(0), choice = alone.choice();

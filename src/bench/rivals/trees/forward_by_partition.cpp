@@ -21,8 +21,8 @@ using Records = Unwritten<Record>;
 
 Records encoded(tree::Points points, const tree::Domain& domain) {
   constexpr std::size_t some = 1024;
-  const tree::kernel::Axis x{domain.x0, domain.x0 + domain.side, 0x1p31 / domain.side};
-  const tree::kernel::Axis y{domain.y0, domain.y0 + domain.side, 0x1p31 / domain.side};
+  const tree::kernel::DomainAxis x{domain.x0, domain.x0 + domain.side, 0x1p31 / domain.side};
+  const tree::kernel::DomainAxis y{domain.y0, domain.y0 + domain.side, 0x1p31 / domain.side};
   Records records(points.size());
 #pragma omp parallel for schedule(static) if (points.size() > tree::worth_sharing)
   for (std::size_t first = 0; first < points.size(); first += some) {

@@ -201,8 +201,8 @@ class Repair {
 void encode_some(tree::Points points, const tree::Domain& domain,
                  std::span<const std::uint32_t> index, std::size_t first, std::span<Key> keys) {
   constexpr std::size_t most = 256, ahead = 48;
-  const tree::kernel::Axis along_x{domain.x0, domain.x0 + domain.side, 0x1p31 / domain.side};
-  const tree::kernel::Axis along_y{domain.y0, domain.y0 + domain.side, 0x1p31 / domain.side};
+  const tree::kernel::DomainAxis along_x{domain.x0, domain.x0 + domain.side, 0x1p31 / domain.side};
+  const tree::kernel::DomainAxis along_y{domain.y0, domain.y0 + domain.side, 0x1p31 / domain.side};
   std::array<double, most> x, y;
   for (std::size_t done = 0; done < keys.size(); done += most) {
     const std::size_t n = std::min(most, keys.size() - done);

@@ -65,7 +65,7 @@ tree::Quadtree reverse_as_printed(tree::MortonOrder order, std::uint32_t n_ctrl,
   // The root, if everything merged.
   if (!cells.empty() && (cells[0].count <= n_ctrl || start == 0)) childless.push_back({0, 0});
   std::ranges::sort(childless, {}, &Found::first);
-  tree::Leaves leaves(1);
+  tree::LeavesByPiece leaves(1);
   for (const Found& found : childless) {
     leaves[0].push_back({found.first,
                          static_cast<std::int16_t>(tree::meeting_level(order.keys, found.first)),
