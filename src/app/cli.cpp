@@ -337,7 +337,7 @@ int arrived() {
 
 int print_velocity(const VelocityJob& job) {
   const VelocityReport report = velocity(job);
-  tell("{}\n", report.json.line());
+  tell("{}\n", report.line);
   return report.missed ? complain(*report.missed, failed) : arrived();
 }
 
@@ -349,7 +349,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("check"))
     tell("{}", words.keys ? keys() : check(words.scene, words.overrides));
   if (program.got_subcommand("velocity")) return print_velocity(words.velocity);
-  if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors).line());
+  if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors));
   if (program.got_subcommand("bench")) {  // results in files
     if (words.benched == "trees") bench_trees(words.bench);
     if (words.benched == "velocity") bench_velocity(words.bench);

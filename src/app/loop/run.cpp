@@ -21,8 +21,8 @@
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
 #include "checks/checks.hpp"
+#include "io/files.hpp"
 #include "io/frames/frames.hpp"
-#include "io/json.hpp"
 #include "io/quote.hpp"
 
 namespace vortree::app {
@@ -195,7 +195,7 @@ RunResult Run::finish() {
   files_.end();
   const std::vector<checks::Verdict> list = checks::verdicts(scene_, folder_, *solver_, scales_);
   totals_.seconds += watch_.elapsed();
-  io::write_json(folder_ / "summary.json",
+  io::write_text(folder_ / "summary.json",
                  summary(scene_, folder_, *solver_, rows_.phases(), totals_, list));
   if (figures_) plot(folder_);
   tell("{} steps, {} {}s at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",

@@ -117,3 +117,13 @@ TEST_CASE("wrong particle files and options are refused with one line") {
     CHECK(outcome.err.find(about) != std::string::npos);
   }
 }
+
+TEST_CASE("what was done is one line of JSON, its names in a fixed order") {
+  const TemporaryFolder folder;
+  write_particles(folder / "in.h5", {{"x", {0, 1}}, {"y", {0, 0}}, {"reach", {2, 2}}});
+  const auto outcome = call("neighbors in.h5 --out out.h5 --method all-pairs --half", folder);
+  CHECK(std::ranges::count(outcome.out, '\n') == 1);
+  CHECK(outcome.out.starts_with(R"({"n":2,"method":"all-pairs","builder":null,"threads":)"));
+  CHECK(ask(folder, "out.h5", outcome.out, "print(*d, *d['seconds'])") ==
+        "n method builder threads rule half pairs peak_bytes seconds tree search total io");
+}

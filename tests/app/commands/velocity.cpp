@@ -220,3 +220,15 @@ TEST_CASE("no vortices make no velocities, and no fuss") {
     CHECK(read_velocities(folder, "o.h5").u.empty());
   }
 }
+
+TEST_CASE("what was done is one line of JSON, its names in a fixed order") {
+  const TemporaryFolder folder;
+  write_cloud(folder / "in.h5", 20, true);
+  const auto outcome = call("velocity in.h5 --out uv.h5 --method direct --verify", folder);
+  CHECK(std::ranges::count(outcome.out, '\n') == 1);
+  CHECK(outcome.out.starts_with(R"({"n":20,"method":"direct","builder":null,"threads":)"));
+  CHECK(json(folder, outcome.out, "*d") ==
+        "n method builder threads tolerance order pairs peak_bytes seconds error");
+  CHECK(json(folder, outcome.out, "*d['error'], d['tolerance'], d['seconds']['far']") ==
+        "relative_l2 p99 max targets condition None None");
+}
