@@ -25,18 +25,6 @@ double speed_of_stream(const Scene& scene) {
   return std::hypot(scene.flow.stream[0], scene.flow.stream[1]);
 }
 
-void require_reference(const Document& document, const Scene& scene, std::string_view key,
-                       const std::optional<std::string>& written) {
-  if (!written) return;
-  const std::filesystem::path path = reference_path(scene, *written);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    document.refuse(
-        key, fmt::format("{} is {}; there is no file {}", key, quote(shortened(*written, 60)),
-                         shortened(path.string(), 100)));
-  }
-}
-
 void check_output(const Document& document, const Scene& scene) {
   const flow::OutputSettings& output = scene.output;
   if (output.frames < scene.time.dt) {
@@ -166,10 +154,6 @@ void check_together(const Document& document, const Scene& scene) {
                     "cores.coarsen_from is a distance from the body; there is no [body]");
   check_output(document, scene);
   check_asked(document, scene);
-  require_reference(document, scene, "check.drag_reference", scene.check.drag_reference);
-  require_reference(document, scene, "check.wall_vorticity_reference",
-                    scene.check.wall_vorticity_reference);
-  require_reference(document, scene, "check.moments_reference", scene.check.moments_reference);
 }
 
 }  // namespace
