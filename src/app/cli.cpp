@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <system_error>
 #include <type_traits>
 
 #include "app/commands/bench.hpp"
@@ -341,6 +342,11 @@ int print_velocity(const VelocityJob& job) {
   return report.missed ? complain(*report.missed, failed) : arrived();
 }
 
+void plot_folder(const std::string& folder) {
+  if (plot(folder)) return;
+  throw io::InputError(folder + ": nothing to draw; the folder of a run or a bench was expected");
+}
+
 int carry_out(const CLI::App& program, const Words& words) {
   if (words.threads > 0) omp_set_num_threads(words.threads);
   if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
@@ -356,7 +362,7 @@ int carry_out(const CLI::App& program, const Words& words) {
     if (words.benched == "neighbors") bench_neighbors(words.bench);
     return done;
   }
-  if (program.got_subcommand("plot")) plot(words.folder);
+  if (program.got_subcommand("plot")) plot_folder(words.folder);
   return arrived();
 }
 
@@ -421,7 +427,10 @@ int command_line(int argc, char** argv) {
   } catch (const std::length_error&) {
     return complain(out_of_memory(*program, words), failed);
   } catch (const std::filesystem::filesystem_error& error) {
-    return complain(fmt::format("{}: {}", error.path1().string(), error.code().message()), failed);
+    // A link that leads to itself is the user's; whatever else fails here is the machine.
+    const bool loops = error.code() == std::errc::too_many_symbolic_link_levels;
+    return complain(fmt::format("{}: {}", error.path1().string(), error.code().message()),
+                    loops ? wrong_input : failed);
   } catch (const std::exception& error) {
     return complain(error.what(), failed);
   }

@@ -232,7 +232,10 @@ RunResult run(const RunOptions& options, std::span<const Method> among) {
   io::Scene scene = scene_of(options);
   const std::vector<std::string> doubts = warnings(scene, among);
   const OutputFolder folder(options.out);
-  if (!options.resume && !options.overwrite) refuse_older_run(options.out);
+  if (!options.resume && !options.overwrite) {
+    refuse_older_run(options.out);
+    if (options.figures) refuse_older_figures(options.out);
+  }
   for (const std::string& doubt : doubts) say("warning: {}", doubt);
   Run run(std::move(scene), options, among);
   options.resume ? run.resume() : run.begin();
