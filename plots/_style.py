@@ -202,7 +202,7 @@ def save(figure, path):
         sys.exit(f"{path} is no file, and is not replaced by a figure")
     part = place.with_name(place.name + ".vortree.part")
     try:
-        figure.savefig(part, format=place.suffix[1:])
+        figure.savefig(part, format=path.suffix[1:])
         part.replace(place)
     finally:
         part.unlink(missing_ok=True)

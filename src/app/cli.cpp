@@ -18,6 +18,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <system_error>
 #include <type_traits>
 
 #include "app/commands/bench.hpp"
@@ -337,8 +338,13 @@ int arrived() {
 
 int print_velocity(const VelocityJob& job) {
   const VelocityReport report = velocity(job);
-  tell("{}\n", report.json.line());
+  tell("{}\n", report.line);
   return report.missed ? complain(*report.missed, failed) : arrived();
+}
+
+void plot_folder(const std::string& folder) {
+  if (plot(folder)) return;
+  throw io::InputError(folder + ": nothing to draw; the folder of a run or a bench was expected");
 }
 
 int carry_out(const CLI::App& program, const Words& words) {
@@ -349,14 +355,14 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("check"))
     tell("{}", words.keys ? keys() : check(words.scene, words.overrides));
   if (program.got_subcommand("velocity")) return print_velocity(words.velocity);
-  if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors).line());
+  if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors));
   if (program.got_subcommand("bench")) {  // results in files
     if (words.benched == "trees") bench_trees(words.bench);
     if (words.benched == "velocity") bench_velocity(words.bench);
     if (words.benched == "neighbors") bench_neighbors(words.bench);
     return done;
   }
-  if (program.got_subcommand("plot")) plot(words.folder);
+  if (program.got_subcommand("plot")) plot_folder(words.folder);
   return arrived();
 }
 
@@ -421,7 +427,10 @@ int command_line(int argc, char** argv) {
   } catch (const std::length_error&) {
     return complain(out_of_memory(*program, words), failed);
   } catch (const std::filesystem::filesystem_error& error) {
-    return complain(fmt::format("{}: {}", error.path1().string(), error.code().message()), failed);
+    // A link that leads to itself is the user's; whatever else fails here is the machine.
+    const bool loops = error.code() == std::errc::too_many_symbolic_link_levels;
+    return complain(fmt::format("{}: {}", error.path1().string(), error.code().message()),
+                    loops ? wrong_input : failed);
   } catch (const std::exception& error) {
     return complain(error.what(), failed);
   }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <string_view>
 
 #include "io/input_error.hpp"
 
@@ -60,10 +59,12 @@ fs::path find_scene(const std::string& name) {
                                    name, fmt::join(known, ", ")));
 }
 
-std::vector<fs::path> plot_scripts() {
+std::vector<fs::path> plot_scripts(std::string_view kind) {
   auto scripts = files_in(share_folder() / "plots", ".py");
-  std::erase_if(scripts,
-                [](const fs::path& script) { return script.filename().string().front() == '_'; });
+  std::erase_if(scripts, [kind](const fs::path& script) {
+    const std::string name = script.filename().string();
+    return name.front() == '_' || !name.starts_with(kind);
+  });
   return scripts;
 }
 

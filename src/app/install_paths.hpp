@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vortree::app {
@@ -22,8 +23,8 @@ std::vector<std::filesystem::path> scene_files();
 /// throws  io::InputError that lists the cases, if it is neither
 std::filesystem::path find_scene(const std::string& name);
 
-/// The figure scripts plots/*.py, sorted by name; those whose names begin with an underscore are
-/// parts of others.
-std::vector<std::filesystem::path> plot_scripts();
+/// The figure scripts plots/*.py whose names begin with `kind`, sorted by name; those that begin
+/// with an underscore are parts of others.
+std::vector<std::filesystem::path> plot_scripts(std::string_view kind = {});
 
 }  // namespace vortree::app

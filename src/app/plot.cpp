@@ -40,28 +40,34 @@ std::string last_line(std::string text) {
 }
 
 // Runs the scripts one after another as if each were called alone: python SCRIPT FOLDER. Python and
-// matplotlib take longer to begin than most figures to draw.
+// matplotlib take longer to begin than most figures to draw. Who prints no name has drawn nothing.
+constexpr int nothing_drawn = 3;
 constexpr const char* runner = R"(
-import os, runpy, sys, traceback
+import contextlib, io, os, runpy, sys, traceback
 folder, *scripts = sys.argv[1:]
+drawn = False
 for script in scripts:
     sys.argv = [script, folder]
     sys.path[0] = os.path.dirname(script)
+    told = io.StringIO()
     try:
-        runpy.run_path(script, run_name="__main__")
+        with contextlib.redirect_stdout(told):
+            runpy.run_path(script, run_name="__main__")
     except SystemExit as end:
         if end.code:
             sys.exit(f"{script}: {end.code}")
     except Exception as error:
         traceback.print_exc()
         sys.exit(f"{script}: {type(error).__name__}: {error}")
+    drawn = drawn or told.getvalue() != ""
     try:
-        sys.stdout.flush()
+        print(told.getvalue(), end="", flush=True)
     except OSError:  # nobody listens
         sys.stdout = open(os.devnull, "w")
+sys.exit(0 if drawn else 3)
 )";
 
-// Exit code of the scripts, and what they wrote on standard error.
+// How the scripts ended, as waitpid() tells it, and what they wrote on standard error.
 struct Outcome {
   int status;
   std::string errors;
@@ -96,19 +102,18 @@ Outcome run_scripts(const std::vector<fs::path>& scripts, const fs::path& folder
 
 }  // namespace
 
-void plot(const fs::path& folder, std::string_view kind) {
+bool plot(const fs::path& folder, std::string_view kind) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw io::InputError(fmt::format("{}: no such folder", folder.string()));
   setenv("MPLBACKEND", "Agg", 1);
   setenv("PYTHONDONTWRITEBYTECODE", "1", 1);
-  std::vector<fs::path> scripts = plot_scripts();
-  std::erase_if(scripts, [&](const fs::path& script) {
-    return !script.filename().string().starts_with(kind);
-  });
-  if (scripts.empty()) return;
+  const std::vector<fs::path> scripts = plot_scripts(kind);
+  if (scripts.empty()) return false;
   const auto [status, errors] = run_scripts(scripts, folder);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == nothing_drawn) return false;
   if (status != 0) throw std::runtime_error(last_line(errors));
+  return true;
 }
 
 }  // namespace vortree::app

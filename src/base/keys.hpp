@@ -143,7 +143,7 @@ requires requires(T& value) {
 /// required  a scene without it is refused
 /// present   whether the scene has it; only an optional one may be lacking
 /// keys      those of the table, which is made, with its defaults, if the scene lacks it
-struct Table {
+struct SceneTable {
   std::string_view name;
   bool required;
   std::function<bool()> present;
@@ -152,13 +152,13 @@ struct Table {
 
 /// A table that is always there, if need be with its defaults.
 template <class Settings>
-[[nodiscard]] Table table(std::string_view name, Settings& settings, bool required = false) {
+[[nodiscard]] SceneTable table(std::string_view name, Settings& settings, bool required = false) {
   return {name, required, [] { return true; }, [&settings] { return keys(settings); }};
 }
 
 /// One that a scene may lack.
 template <class Settings>
-[[nodiscard]] Table table(std::string_view name, std::optional<Settings>& settings) {
+[[nodiscard]] SceneTable table(std::string_view name, std::optional<Settings>& settings) {
   return {name, false, [&settings] { return settings.has_value(); },
           [&settings] { return keys(settings ? *settings : settings.emplace()); }};
 }

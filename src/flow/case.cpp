@@ -20,7 +20,7 @@ std::vector<Key> keys(Case& of) {
               "`body.panels` and `velocity.cores`")};
 }
 
-std::vector<Table> tables(Case& of) {
+std::vector<SceneTable> tables(Case& of) {
   return {table("flow", of.flow, true), table("body", of.body),       table("plunge", of.plunge),
           table("motion", of.motion),   table("initial", of.initial), table("time", of.time, true),
           table("output", of.output)};

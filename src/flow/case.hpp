@@ -33,7 +33,7 @@ struct Case {
 /// The keys at the top of a scene that belong to it, and its tables, in the order in which they are
 /// read and printed.
 [[nodiscard]] std::vector<Key> keys(Case&);
-[[nodiscard]] std::vector<Table> tables(Case&);
+[[nodiscard]] std::vector<SceneTable> tables(Case&);
 
 /// Whether a scene says a key of a table, so that it is not to be chosen.
 using Written = std::function<bool(std::string_view table, std::string_view key)>;

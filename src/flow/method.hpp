@@ -23,7 +23,7 @@ class Method {
   virtual std::string_view name() const = 0;
 
   /// Its own tables, whose names no other has.
-  virtual std::vector<Table> tables() { return {}; }
+  virtual std::vector<SceneTable> tables() { return {}; }
 
   /// Fills in what is not written: its own keys, and of the case the step and the panels.
   /// throws  Refused if something is neither written nor chosen

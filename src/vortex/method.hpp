@@ -12,7 +12,7 @@ class VortexMethod final : public flow::Method {
   std::unique_ptr<flow::Method> clone() const override;
   std::unique_ptr<flow::Method> blank() const override { return std::make_unique<VortexMethod>(); }
   std::string_view name() const override { return "vortex"; }
-  std::vector<Table> tables() override { return vortex::tables(settings_); }
+  std::vector<SceneTable> tables() override { return vortex::tables(settings_); }
   void choose(flow::Case& of, const flow::Written& written) override;
   void refuse(const flow::Case& of) const override;
   void refuse_beyond(const flow::Case& of, double memory) const override;

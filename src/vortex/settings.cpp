@@ -58,7 +58,7 @@ std::vector<Key> keys(VelocitySettings& velocity) {
           "with the mean over its own core (conserves the energy of free space)")};
 }
 
-std::vector<Table> tables(VortexSettings& of) {
+std::vector<SceneTable> tables(VortexSettings& of) {
   return {table("diffusion", of.diffusion), table("cores", of.cores),
           table("splitting", of.splitting), table("merging", of.merging),
           table("velocity", of.velocity)};

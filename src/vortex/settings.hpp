@@ -98,7 +98,7 @@ struct VortexSettings {
   MergingSettings merging{};
   VelocitySettings velocity{};
 };
-[[nodiscard]] std::vector<Table> tables(VortexSettings&);
+[[nodiscard]] std::vector<SceneTable> tables(VortexSettings&);
 
 /// A scene as the method sees it: what it says of the flow, and the method's own tables.
 struct VortexCase : flow::Case, VortexSettings {};

@@ -27,7 +27,7 @@ void print(const std::vector<vortree::Key>& keys) {
 int main() {
   Scene scene = blank_scene(vortree::test::by_vortices());
   print(keys(scene));
-  for (const vortree::Table& table : tables(scene)) {
+  for (const vortree::SceneTable& table : tables(scene)) {
     print("[" + std::string(table.name) + "]");
     print(table.keys());
   }

@@ -31,13 +31,15 @@ fs::path folder_of(const BenchJob& job, std::string_view what) {
   return job.out.empty() ? fs::path("runs") / fmt::format("bench_{}", what) : job.out;
 }
 
-// Tables that a bench may write.
-void require_tables(const fs::path& folder, std::initializer_list<const char*> names,
-                    const BenchJob& job, std::span<const fs::path> inputs = {}) {
-  for (const char* name : names) {
+// Tables that a bench may write, and figures that it may draw.
+void require_outputs(const fs::path& folder, std::string_view kind,
+                     std::initializer_list<const char*> tables, const BenchJob& job,
+                     std::span<const fs::path> inputs = {}) {
+  for (const char* name : tables) {
     io::require_writable(folder / name, inputs);
     if (!job.overwrite) refuse_older_table(folder / name);
   }
+  if (!job.overwrite) refuse_older_figures(folder, kind);
 }
 
 void say_row(std::string_view line) {
@@ -48,7 +50,7 @@ void say_row(std::string_view line) {
 
 void bench_velocity(const BenchJob& job) {
   const OutputFolder folder(folder_of(job, "velocity"));
-  require_tables(folder.path(), {"velocity.csv"}, job);
+  require_outputs(folder.path(), "velocity", {"velocity.csv"}, job);
   bench::velocity_bench({folder.path() / "velocity.csv", job.quick, job.threads, job.largest},
                         say_row);
   plot(folder.path(), "velocity");
@@ -56,7 +58,8 @@ void bench_velocity(const BenchJob& job) {
 
 void bench_neighbors(const BenchJob& job) {
   const OutputFolder folder(folder_of(job, "neighbors"));
-  require_tables(folder.path(), {"neighbors.csv", "sph.csv", "moving.csv", "cells.csv"}, job);
+  require_outputs(folder.path(), "neighbors",
+                  {"neighbors.csv", "sph.csv", "moving.csv", "cells.csv"}, job);
   bench::neighbor_bench({folder.path() / "neighbors.csv", job.quick, job.threads, job.largest},
                         say_row);
   bench::neighbor_uses(folder.path(), job.quick, job.largest, say_row);
@@ -65,7 +68,8 @@ void bench_neighbors(const BenchJob& job) {
 
 void bench_trees(const TreeBenchJob& job) {
   const OutputFolder folder(folder_of(job, "trees"));
-  require_tables(folder.path(), {"trees.csv", "trees_reuse.csv"}, job, std::array{job.blobs});
+  require_outputs(folder.path(), "trees", {"trees.csv", "trees_reuse.csv"}, job,
+                  std::array{job.blobs});
   bench::TreeBench trees{.folder = folder.path(),
                          .quick = job.quick,
                          .threads = job.threads,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "base/clock.hpp"
@@ -20,6 +21,8 @@
 
 namespace vortree::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Laps {
   std::vector<double> tree, search, total;
@@ -109,7 +112,7 @@ std::vector<std::string> neighbor_methods() {
   return names;
 }
 
-io::Json neighbors(const NeighborsJob& job) {
+std::string neighbors(const NeighborsJob& job) {
   if (job.half && job.rule == tree::PairRule::own) {
     throw std::invalid_argument("--half lists each pair once, but rule own is not symmetric");
   }
@@ -129,22 +132,22 @@ io::Json neighbors(const NeighborsJob& job) {
   write_rows(job.out, rows);
   files.end();
 
-  io::Json report;
-  report["n"] = std::uint64_t{particles.x.size()};
+  Json report;
+  report["n"] = particles.x.size();
   report["method"] = job.method;
-  report["builder"] = job.method == "qcg"             ? io::Json("reverse")
-                      : job.method == "leaf-quadtree" ? io::Json("forward")
-                                                      : io::Json();
+  report["builder"] = job.method == "qcg"             ? Json("reverse")
+                      : job.method == "leaf-quadtree" ? Json("forward")
+                                                      : Json();
   report["threads"] = omp_get_max_threads();
   report["rule"] = name_of(job.rule);
   report["half"] = job.half;
-  report["pairs"] = std::uint64_t{rows.index.size()};
-  report["peak_bytes"] = std::uint64_t{peak_bytes()};
+  report["pairs"] = rows.index.size();
+  report["peak_bytes"] = peak_bytes();
   report["seconds"]["tree"] = median(laps.tree);
   report["seconds"]["search"] = median(laps.search);
   report["seconds"]["total"] = median(laps.total);
   report["seconds"]["io"] = files.seconds("io");
-  return report;
+  return report.dump();
 }
 
 }  // namespace vortree::app

@@ -148,6 +148,7 @@ int sweep(const RunOptions& options, const SweepPlan& plan) {
   io::require_writable(options.out / "sweep.csv", std::array{find_scene(options.scene)});
   if (!options.resume && !options.overwrite) {
     refuse_older_table(options.out / "sweep.csv");
+    refuse_older_figures(options.out, "sweep");
     for (const Member& m : members) refuse_older_run(options_of(options, plan, m).out);
   }
   std::size_t done = 0;
@@ -161,7 +162,7 @@ int sweep(const RunOptions& options, const SweepPlan& plan) {
     write_csv(options.out / "sweep.csv", options, plan, std::span(members).first(++done));
   }
   tell("{}", table(plan, members));
-  plot(options.out);
+  plot(options.out, "sweep");
   tell("results in {}\n", io::printable(options.out.string()));
   const std::string wrong = what_went_wrong(plan, members);
   if (!wrong.empty()) tell("{}\n", io::printable(wrong));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
@@ -23,6 +24,8 @@
 
 namespace vortree::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Problem {
   io::Particles sources, targets;
@@ -96,8 +99,8 @@ void warn_of_few_terms(const VelocityJob& job, const bench::Account& account) {
 }
 
 template <class Value>
-io::Json if_any(const std::optional<Value>& value) {
-  return value ? io::Json(*value) : io::Json();
+Json if_any(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
 }
 
 io::Particles read(const std::filesystem::path& file, io::Columns columns) {
@@ -124,9 +127,9 @@ void write_result(const std::filesystem::path& out, const Problem& problem) {
 
 // Medians of the phases and of their sums. The four phases of a tree code come first, null where a
 // method cannot tell them apart; then what it can tell.
-io::Json median_seconds(const std::vector<Stopwatch>& laps) {
-  io::Json seconds;
-  for (const auto* phase : {"tree", "upward", "far", "near"}) seconds[phase] = {};
+Json median_seconds(const std::vector<Stopwatch>& laps) {
+  Json seconds;
+  for (const auto* phase : {"tree", "upward", "far", "near"}) seconds[phase] = nullptr;
   for (const auto& [phase, ignored] : laps.front().phases()) {
     std::vector<double> values;
     for (const Stopwatch& lap : laps) values.push_back(lap.seconds(phase));
@@ -141,12 +144,12 @@ io::Json median_seconds(const std::vector<Stopwatch>& laps) {
   return seconds;
 }
 
-io::Json error_json(const bench::VelocityError& error) {
-  io::Json members;
+Json error_json(const bench::VelocityError& error) {
+  Json members;
   members["relative_l2"] = error.relative_l2;
   members["p99"] = error.p99;
   members["max"] = error.max;
-  members["targets"] = std::uint64_t{error.targets};
+  members["targets"] = error.targets;
   members["condition"] = error.condition;
   return members;
 }
@@ -187,22 +190,22 @@ VelocityReport velocity(const VelocityJob& job) {
   write_result(job.out, problem);
   files.end();
 
-  io::Json report;
-  report["n"] = std::uint64_t{problem.blobs().size()};
+  Json report;
+  report["n"] = problem.blobs().size();
   report["method"] = job.method;
   report["builder"] = if_any(account.builder);
   report["threads"] = omp_get_max_threads();
   report["tolerance"] = if_any(account.tolerance);
   report["order"] = if_any(account.order);
-  report["pairs"] = account.work ? io::Json(account.work->bare + account.work->cored) : io::Json();
-  report["peak_bytes"] = std::uint64_t{peak_bytes()};
+  report["pairs"] = account.work ? Json(account.work->bare + account.work->cored) : Json();
+  report["peak_bytes"] = peak_bytes();
   report["seconds"] = median_seconds(laps);
   report["seconds"]["io"] = files.seconds("io");
-  if (!job.verify) return {report, {}};
+  if (!job.verify) return {report.dump(), {}};
   const bench::Exact exact = bench::exact_velocity(problem.blobs(), problem.points());
   const bench::VelocityError error = bench::velocity_error(exact, problem.u, problem.v);
   report["error"] = error_json(error);
-  return {report, miss(error, job.options.tolerance)};
+  return {report.dump(), miss(error, job.options.tolerance)};
 }
 
 }  // namespace vortree::app

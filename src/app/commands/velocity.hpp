@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fmm/plan.hpp"
-#include "io/json.hpp"
 
 namespace vortree::app {
 
@@ -22,16 +21,17 @@ struct VelocityJob {
   int repeat = 1;
 };
 
+/// line     what was done, as JSON on one line
 /// missed   if asked to verify: why the tolerance was not kept, as one line
 struct VelocityReport {
-  io::Json json;
+  std::string line;
   std::optional<std::string> missed;
 };
 
 /// Velocities upon all vortices of a particle file, or upon the points of another: reads, sums
 /// `repeat` times, writes `u` and `v`.
 ///
-/// returns  json: what was done, for standard output: n, method, builder, threads, tolerance,
+/// returns  line: what was done, for standard output: n, method, builder, threads, tolerance,
 /// order, pairs, peak_bytes, seconds
 ///          {tree, upward, far, near, total: medians of all repetitions; io} and, if asked to
 ///          verify, error {relative_l2, p99, max, targets, condition}. What a method does not have

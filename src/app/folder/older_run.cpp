@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/install_paths.hpp"
 #include "io/frames/frames.hpp"
 #include "io/frames/read.hpp"
 #include "io/input_error.hpp"
@@ -92,6 +93,13 @@ void refuse_older_run(const fs::path& folder) {
 
 void refuse_older_table(const fs::path& table) {
   if (has_rows(table)) refuse_older(table);
+}
+
+void refuse_older_figures(const fs::path& folder, std::string_view kind) {
+  for (const fs::path& script : plot_scripts(kind)) {
+    const fs::path figure = (folder / script.stem()).concat(".png");
+    if (fs::exists(fs::symlink_status(figure))) refuse_older(figure);
+  }
 }
 
 }  // namespace vortree::app

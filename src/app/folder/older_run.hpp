@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace vortree::app {
 
@@ -14,5 +15,11 @@ void refuse_older_run(const std::filesystem::path& folder);
 
 /// throws  io::InputError, with the ways out, if the table is there already and has rows
 void refuse_older_table(const std::filesystem::path& table);
+
+/// The same for figures, which show other files of their folder: where one stands without them, as
+/// before a run begins, it is not ours to replace.
+///
+/// kind  of the scripts that will draw, as for plot()
+void refuse_older_figures(const std::filesystem::path& folder, std::string_view kind = {});
 
 }  // namespace vortree::app

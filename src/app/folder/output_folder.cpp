@@ -41,13 +41,23 @@ std::string holder_of(const io::Descriptor& folder) {
   throw io::InputError(fmt::format("{}: {}", folder.string(), why));
 }
 
+/// A link without an end, on the way to the folder or the folder itself.
+void refuse_broken_link(const fs::path& folder) {
+  std::error_code unseen;
+  for (fs::path at = folder; at.has_relative_path(); at = at.parent_path())
+    if (fs::is_symlink(at, unseen) && !fs::exists(at, unseen))
+      refuse(at, fmt::format("is a link to {}, where nothing is; a folder was expected",
+                             fs::read_symlink(at, unseen).string()));
+}
+
 /// true if it was not there before
 bool made(const fs::path& folder) {
   if (folder.empty()) throw io::InputError("the folder for the results needs a name");
-  std::error_code error;
+  std::error_code error, unseen;
   const bool created = fs::create_directories(folder, error);
-  if (fs::is_directory(folder)) return created;
-  if (!error || fs::exists(folder)) refuse(folder, "is a file; a folder was expected");
+  if (fs::is_directory(folder, unseen)) return created;
+  refuse_broken_link(folder);
+  if (!error || fs::exists(folder, unseen)) refuse(folder, "is a file; a folder was expected");
   refuse(folder, "cannot be made: " + error.message());
 }
 

@@ -14,7 +14,8 @@ namespace vortree::app {
 class OutputFolder {
  public:
   /// Made if need be.
-  /// throws  io::InputError if it cannot be made, or if another process fills it (which one)
+  /// throws  io::InputError if it cannot be made, as where a link leads to nothing, or if another
+  ///         process fills it (which one)
   explicit OutputFolder(const std::filesystem::path&);
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;

@@ -21,8 +21,8 @@
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
 #include "checks/checks.hpp"
+#include "io/files.hpp"
 #include "io/frames/frames.hpp"
-#include "io/json.hpp"
 #include "io/quote.hpp"
 
 namespace vortree::app {
@@ -195,7 +195,7 @@ RunResult Run::finish() {
   files_.end();
   const std::vector<checks::Verdict> list = checks::verdicts(scene_, folder_, *solver_, scales_);
   totals_.seconds += watch_.elapsed();
-  io::write_json(folder_ / "summary.json",
+  io::write_text(folder_ / "summary.json",
                  summary(scene_, folder_, *solver_, rows_.phases(), totals_, list));
   if (figures_) plot(folder_);
   tell("{} steps, {} {}s at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",
@@ -232,7 +232,10 @@ RunResult run(const RunOptions& options, const flow::Methods& among) {
   io::Scene scene = scene_of(options, among);
   const std::vector<std::string> doubts = warnings(scene);
   const OutputFolder folder(options.out);
-  if (!options.resume && !options.overwrite) refuse_older_run(options.out);
+  if (!options.resume && !options.overwrite) {
+    refuse_older_run(options.out);
+    if (options.figures) refuse_older_figures(options.out);
+  }
   for (const std::string& doubt : doubts) say("warning: {}", doubt);
   Run run(std::move(scene), options);
   options.resume ? run.resume() : run.begin();

@@ -3,6 +3,8 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "app/install_paths.hpp"
@@ -13,17 +15,25 @@ namespace vortree::app {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+/// Indented and with a line end. Signs beyond ASCII are escaped, so that a title harms no terminal,
+/// and a path need not be UTF-8.
+std::string page(const Json& json) {
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + '\n';
+}
+
 /// Whether all that was reached has passed; null where nothing was.
-io::Json check(std::span<const checks::Verdict> verdicts) {
-  io::Json json;
+Json check(std::span<const checks::Verdict> verdicts) {
+  Json json;
   const bool missed = std::ranges::any_of(verdicts, &checks::Verdict::missed);
   const bool none = std::ranges::none_of(verdicts, &checks::Verdict::passed) && !verdicts.empty();
-  json["passed"] = !missed && none ? io::Json() : io::Json(!missed);
+  json["passed"] = !missed && none ? Json() : Json(!missed);
   for (const checks::Verdict& v : verdicts) {
-    io::Json& one = json[v.what];
+    Json& one = json[v.what];
     one["asked"] = v.asked;
-    one["reached"] = v.reached.value ? io::Json(*v.reached.value) : io::Json();
-    one["passed"] = v.reached.value ? io::Json(v.passed()) : io::Json();
+    one["reached"] = v.reached.value ? Json(*v.reached.value) : Json();
+    one["passed"] = v.reached.value ? Json(v.passed()) : Json();
     one["status"] = v.passed() ? "passed" : v.missed() ? "missed" : "not reached";
     if (!v.reached.value) one["why"] = v.reached.why;
   }
@@ -44,21 +54,21 @@ void Totals::restore(const flow::State& state) {
   seconds = flow::saved_number(state, "total seconds");
 }
 
-io::Json summary(const io::Scene& scene, const std::filesystem::path& folder,
-                 const flow::Solver& solver, std::span<const std::string> phases,
-                 const Totals& totals, std::span<const checks::Verdict> verdicts) {
-  io::Json json;
+std::string summary(const io::Scene& scene, const std::filesystem::path& folder,
+                    const flow::Solver& solver, std::span<const std::string> phases,
+                    const Totals& totals, std::span<const checks::Verdict> verdicts) {
+  Json json;
   json["scene"] = scene.origin.path.string();
   json["title"] = scene.title;
   json["version"] = version();
   json["threads"] = omp_get_max_threads();
   json["method"] = scene.method;
-  json["steps"] = std::int64_t{solver.steps()};
-  json[solver.particle() + "s"] = static_cast<std::uint64_t>(solver.particles());
-  json["largest_" + solver.particle() + "_count"] = totals.most_particles;
-  json["particle_steps"] = totals.particle_steps;
+  json["steps"] = solver.steps();
+  json[solver.particle() + "s"] = solver.particles();
+  json["largest_" + solver.particle() + "_count"] = std::llround(totals.most_particles);
+  json["particle_steps"] = std::llround(totals.particle_steps);
   json["particle_steps_per_second"] = totals.particle_steps / totals.seconds;
-  json["peak_bytes"] = static_cast<std::uint64_t>(peak_bytes());
+  json["peak_bytes"] = peak_bytes();
   json["largest_drift"] = solver.drift();
   json["seconds"]["total"] = totals.seconds;
   const io::Table report(folder / "report.csv");
@@ -71,7 +81,7 @@ io::Json summary(const io::Scene& scene, const std::filesystem::path& folder,
     const std::size_t dot = number.name.find('.');
     json[number.name.substr(0, dot)][number.name.substr(dot + 1)] = number.value;
   }
-  return json;
+  return page(json);
 }
 
 }  // namespace vortree::app

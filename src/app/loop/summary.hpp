@@ -6,7 +6,6 @@
 
 #include "checks/checks.hpp"
 #include "flow/solver.hpp"
-#include "io/json.hpp"
 
 namespace vortree::app {
 
@@ -19,11 +18,11 @@ struct Totals {
   void restore(const flow::State& state);
 };
 
-/// What summary.json says of a finished run: the scene, steps and particles at the end, totals, what
+/// The text of summary.json, what it says of a finished run: the scene, steps and particles at the end, totals, what
 /// the method says at its close, and how it was checked: asked, reached, passed and status of each;
 /// what was not reached has null for both and says why. The seconds of the phases are read from
 /// report.csv in `folder`.
-io::Json summary(const io::Scene& scene, const std::filesystem::path& folder,
+std::string summary(const io::Scene& scene, const std::filesystem::path& folder,
                  const flow::Solver& solver, std::span<const std::string> phases,
                  const Totals& totals, std::span<const checks::Verdict> verdicts);
 

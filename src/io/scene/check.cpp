@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <filesystem>
 #include <initializer_list>
 #include <string_view>
+#include <vector>
 
+#include "io/quote.hpp"
 #include "io/scene/schema.hpp"
+#include "io/tables/table.hpp"
 
 namespace vortree::io {
 namespace {
@@ -106,6 +111,54 @@ constexpr Known knowns[] = {{"strouhal", &C::strouhal, &C::strouhal_max},
                             {"morison_drag", &C::morison_drag, &C::morison_drag_max},
                             {"morison_mass", &C::morison_mass, &C::morison_mass_max}};
 
+/// A column of a reference; who asks for one alone has it read for that only.
+struct ReferenceColumn {
+  std::string_view name;
+  std::optional<double> CheckSettings::*asked = nullptr;
+};
+
+struct Reference {
+  std::string_view key;
+  std::optional<std::string> CheckSettings::*written;
+  std::vector<ReferenceColumn> columns;
+};
+
+const std::array references{
+    Reference{"check.drag_reference",
+              &C::drag_reference,
+              {{"T"}, {"C_D"}, {"L_over_D", &C::bubble_max}, {"sep_deg", &C::separation_max_deg}}},
+    Reference{"check.wall_vorticity_reference",
+              &C::wall_vorticity_reference,
+              {{"T"}, {"theta_deg"}, {"omega_R_over_U"}}},
+    Reference{"check.moments_reference",
+              &C::moments_reference,
+              {{"t"},
+               {"quadrupole_xx", &C::quadrupole_max},
+               {"quadrupole_xy", &C::quadrupole_max},
+               {"separation", &C::separation_max}}}};
+
+/// throws  InputError: no such file, no table, no such column
+void read_columns(const std::filesystem::path& path, const Reference& reference,
+                  const CheckSettings& check) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    throw InputError(fmt::format("there is no file {}", shortened(path.string(), 100)));
+  const Table table(path);
+  for (const auto& [name, asked] : reference.columns)
+    if (!asked || check.*asked) (void)table.column(name);
+}
+
+void require_reference(const Document& document, const Scene& scene, const Reference& reference) {
+  const std::optional<std::string>& written = scene.check.*reference.written;
+  if (!written) return;
+  try {
+    read_columns(reference_path(scene, *written), reference, scene.check);
+  } catch (const InputError& broken) {
+    document.refuse(reference.key, fmt::format("{} is {}; {}", reference.key,
+                                               quote(shortened(*written, 60)), broken.what()));
+  }
+}
+
 }  // namespace
 
 void check_asked(const Document& document, const Scene& scene) {
@@ -121,6 +174,7 @@ void check_asked(const Document& document, const Scene& scene) {
       document.refuse(key, fmt::format("{} is {}; that needs {}_max, how far off it may be", key,
                                        *(scene.check.*known.known), key));
     }
+  for (const Reference& reference : references) require_reference(document, scene, reference);
 }
 
 namespace {

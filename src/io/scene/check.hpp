@@ -5,8 +5,8 @@
 
 namespace vortree::io {
 
-/// What [check] asks must have something that it can be held against: a reference, a known value,
-/// an exact answer, a body, a plunge.
+/// What [check] asks must have something that it can be held against: a known value, an exact
+/// answer, a body, a plunge, a reference that is a table with the columns for it.
 ///
 /// throws  InputError that names what is missing
 void check_asked(const Document& document, const Scene& scene);

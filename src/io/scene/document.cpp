@@ -103,19 +103,30 @@ void Document::lay_over(const std::string& override) {
   if (equals == std::string::npos || key.empty()) {
     throw InputError(typed(override) + ": an override is written table.key=value");
   }
-  const toml::table value = parse_value(override, std::string_view(override).substr(equals + 1));
+  const toml::table parsed = parse_value(override, std::string_view(override).substr(equals + 1));
+  lay_over(key, *parsed.get("value"), override);
+}
+
+void Document::lay_over(const std::string& key, const toml::node& value,
+                        const std::string& override) {
   overrides_[key] = override;
   const std::size_t dot = key.find('.');
-  if (dot == std::string::npos) {
-    root_.insert_or_assign(key, *value.get("value"));
+  if (dot != std::string::npos) return set(key.substr(0, dot), key.substr(dot + 1), value);
+  if (!value.is_table()) {
+    root_.insert_or_assign(key, value);
     return;
   }
-  const std::string table = key.substr(0, dot);
+  root_.insert(key, toml::table{});
+  for (const auto& [name, inside] : *value.as_table())
+    lay_over(fmt::format("{}.{}", key, name.str()), inside, override);
+}
+
+void Document::set(const std::string& table, std::string_view key, const toml::node& value) {
   toml::node& parent = root_.insert(table, toml::table{}).first->second;
   if (!parent.is_table()) {
     refuse(table, fmt::format("{} is {}; a table was expected", table, kind_of(parent)));
   }
-  parent.as_table()->insert_or_assign(key.substr(dot + 1), *value.get("value"));
+  parent.as_table()->insert_or_assign(key, value);
 }
 
 std::string Document::place(std::string_view key) const {

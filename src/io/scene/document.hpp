@@ -14,6 +14,7 @@ namespace vortree::io {
 /// each key came from so that errors can say it.
 class Document {
  public:
+  /// An override that is a table sets its keys one by one and leaves the others of that table.
   /// throws  InputError: empty, not TOML (with the line), an override that cannot be understood
   Document(std::string_view text, std::filesystem::path path,
            std::span<const std::string> overrides);
@@ -26,6 +27,8 @@ class Document {
 
  private:
   void lay_over(const std::string& override);
+  void lay_over(const std::string& key, const toml::node& value, const std::string& override);
+  void set(const std::string& table, std::string_view key, const toml::node& value);
   [[nodiscard]] std::string place(std::string_view key) const;
 
   std::filesystem::path path_;

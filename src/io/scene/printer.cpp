@@ -109,7 +109,7 @@ std::string row(std::string_view name, const Key& key) {
 std::string resolved(const Scene& scene) {
   Scene copy = scene;  // keys are places to write to, too
   std::string text = lines(keys(copy));
-  for (const Table& table : tables_that_count(copy))
+  for (const SceneTable& table : tables_that_count(copy))
     if (table.present()) text += fmt::format("\n[{}]\n{}", table.name, lines(table.keys()));
   return text;
 }
@@ -121,7 +121,7 @@ namespace {
 std::map<std::string, std::string> values(Scene scene) {
   std::map<std::string, std::string> all;
   for (const Key& key : keys(scene)) all[std::string(key.name)] = text_of(key).value_or("");
-  for (const Table& table : tables_that_count(scene)) {
+  for (const SceneTable& table : tables_that_count(scene)) {
     if (!table.present()) continue;
     all[fmt::format("[{}]", table.name)] = "there";
     for (const Key& key : table.keys())
@@ -152,7 +152,7 @@ std::string page_of_keys(const flow::Methods& methods) {
       "|---|---|---|---|---|\n";
   Scene blank = blank_scene(methods);
   for (const Key& key : keys(blank)) page += row(key.name, key);
-  for (const Table& table : tables(blank))
+  for (const SceneTable& table : tables(blank))
     for (const Key& key : table.keys())
       page += row(fmt::format("{}.{}", table.name, key.name), key);
   return page;

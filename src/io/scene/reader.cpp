@@ -180,7 +180,7 @@ void read_table(const Document& document, std::string_view name, const toml::tab
   }
 }
 
-void read_table(const Document& document, const Table& table) {
+void read_table(const Document& document, const SceneTable& table) {
   const toml::node* node = document.root().get(table.name);
   if (!node && table.required)
     document.refuse("", fmt::format("the table [{}] is missing", table.name));
@@ -205,14 +205,14 @@ void refuse_unknown_method(const Document& document, const Scene& scene) {
 Scene read_scene(const Document& document, const flow::Methods& methods) {
   Scene scene = blank_scene(methods);
   const std::vector<Key> top = keys(scene);
-  const std::vector<Table> all = tables(scene);
+  const std::vector<SceneTable> all = tables(scene);
   refuse_unknown(document, names_of(top), names_of(all));
   for (const Key& key : top) {
     if (const toml::node* node = document.root().get(key.name))
       read(Value{document, std::string(key.name), *node}, key);
   }
   refuse_unknown_method(document, scene);
-  for (const Table& table : all) read_table(document, table);
+  for (const SceneTable& table : all) read_table(document, table);
   return scene;
 }
 

@@ -14,18 +14,6 @@
 namespace vortree::io {
 namespace {
 
-void require_reference(const Document& document, const Scene& scene, std::string_view key,
-                       const std::optional<std::string>& written) {
-  if (!written) return;
-  const std::filesystem::path path = reference_path(scene, *written);
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    document.refuse(
-        key, fmt::format("{} is {}; there is no file {}", key, quote(shortened(*written, 60)),
-                         shortened(path.string(), 100)));
-  }
-}
-
 /// An answer known by heart is that of one flow.
 void check_exact(const Document& document, const Scene& scene) {
   const ExactAnswer exact = *scene.check.exact;
@@ -44,13 +32,9 @@ void check_exact(const Document& document, const Scene& scene) {
                         quote(word(exact))));
 }
 
-void check_check(const Document& document, const Scene& scene) {
+void hold_check(const Document& document, const Scene& scene) {
   if (scene.check.exact) check_exact(document, scene);
   check_asked(document, scene);
-  require_reference(document, scene, "check.drag_reference", scene.check.drag_reference);
-  require_reference(document, scene, "check.wall_vorticity_reference",
-                    scene.check.wall_vorticity_reference);
-  require_reference(document, scene, "check.moments_reference", scene.check.moments_reference);
 }
 
 /// What a scene leaves out, by its own laws and by those of its method, and what it cannot mean.
@@ -67,7 +51,7 @@ void complete(const Document& document, Scene& scene) {
   if (scene.time.dt == 0) throw Refused("time", "[time] needs the key dt");
   scene.origin.step_chosen = !written("time", "dt");
   flow::complete_times(scene);
-  check_check(document, scene);
+  hold_check(document, scene);
   (*own)->refuse(scene);
 }
 

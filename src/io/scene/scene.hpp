@@ -99,10 +99,12 @@ bool operator==(const Scene&, const Scene&);
 /// methods    that it may name; their settings do not count
 /// overrides  `table.key=value` (or `key=value` at top level); value in TOML, bare words are
 /// strings; later ones win.
-///            A table that the file lacks is created.
+///            A table that the file lacks is created; `table={key=value, ...}` sets these keys of
+///            it and leaves the others.
 /// throws     InputError, one line: `file:line: ...` or `command line: key=value: ...`; unknown
 /// tables and keys are errors,
-///            so are NaN and infinity and a reference file that is not there
+///            so are NaN and infinity, and a reference file that is not there or lacks
+///            what is checked
 [[nodiscard]] Scene load_scene(const std::filesystem::path& path, const flow::Methods& methods,
                                std::span<const std::string> overrides = {});
 

@@ -13,21 +13,21 @@ std::vector<Key> keys(Scene& scene) {
 
 namespace {
 
-void append(std::vector<Table>& all, std::vector<Table> more) {
+void append(std::vector<SceneTable>& all, std::vector<SceneTable> more) {
   std::ranges::move(more, std::back_inserter(all));
 }
 
 }  // namespace
 
-std::vector<Table> tables(Scene& scene) {
-  std::vector<Table> all = flow::tables(scene);
+std::vector<SceneTable> tables(Scene& scene) {
+  std::vector<SceneTable> all = flow::tables(scene);
   for (flow::AnyMethod& method : scene.methods) append(all, method->tables());
   all.push_back(table("check", scene.check));
   return all;
 }
 
-std::vector<Table> tables_that_count(Scene& scene) {
-  std::vector<Table> all = flow::tables(scene);
+std::vector<SceneTable> tables_that_count(Scene& scene) {
+  std::vector<SceneTable> all = flow::tables(scene);
   for (flow::AnyMethod& method : scene.methods)
     if (method->name() == scene.method) append(all, method->tables());
   all.push_back(table("check", scene.check));

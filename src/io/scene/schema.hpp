@@ -21,10 +21,10 @@ namespace vortree::io {
 [[nodiscard]] std::vector<Key> keys(Scene& scene);
 
 /// The tables of the flow, of all its methods, and [check], in the order in which they are read.
-[[nodiscard]] std::vector<Table> tables(Scene& scene);
+[[nodiscard]] std::vector<SceneTable> tables(Scene& scene);
 
 /// The same, but of the methods only that which computes it.
-[[nodiscard]] std::vector<Table> tables_that_count(Scene& scene);
+[[nodiscard]] std::vector<SceneTable> tables_that_count(Scene& scene);
 
 /// All keys as a table of Markdown: key, default, unit, limits or words, what it is; a row each.
 /// The default is "needed" where a table without the key is refused, "chosen" where what else is

@@ -51,7 +51,7 @@ void hold_sizes(const Document& document, std::string_view name, const Key& key)
 void refuse_sizes(const Document& document, const Scene& given) {
   Scene scene = given;  // keys are places to write to, too
   for (const Key& key : keys(scene)) hold_sizes(document, key.name, key);
-  for (const Table& table : tables_that_count(scene)) {
+  for (const SceneTable& table : tables_that_count(scene)) {
     if (table.name == "check" || table.name == "output") continue;  // nothing is computed with
     if (!table.present()) continue;
     for (const Key& key : table.keys())

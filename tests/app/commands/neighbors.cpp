@@ -71,6 +71,8 @@ TEST_CASE("a line of JSON says what was done") {
   const auto outcome =
       call("neighbors in.h5 --out out.h5 --rule own --repeat 3 --threads 1", folder);
   REQUIRE(outcome.code == 0);
+  CHECK(std::ranges::count(outcome.out, '\n') == 1);
+  CHECK(outcome.out.starts_with(R"({"n":100,"method":"qcg","builder":"reverse","threads":1,)"));
   CHECK(ask(folder, "out.h5", outcome.out, "print(*d, *d['seconds'])") ==
         "n method builder threads rule half pairs peak_bytes seconds tree search total io");
   CHECK(ask(folder, "out.h5", outcome.out, "print(d['n'], d['method'], d['threads'], d['rule'])") ==

@@ -38,6 +38,8 @@ void check_complaint(const Outcome& outcome, const std::string& about) {
 TEST_CASE("wrong usage is answered with one line and exit code 2") {
   const TemporaryFolder folder;
   write_wake(folder);
+  fs::create_directory(folder / "empty");
+  fs::create_symlink("loop", folder / "loop");
   struct Row {
     std::string arguments, about;
   };
@@ -77,6 +79,8 @@ TEST_CASE("wrong usage is answered with one line and exit code 2") {
       {"bench velocity --out wake.h5/below", "wake.h5"},
       {"bench velocity --out /proc", "/proc"},
       {"plot nowhere", "nowhere"},
+      {"plot empty", "empty: nothing to draw"},
+      {"plot loop", "loop: no such folder"},
       {"cases please", "please"},
   }));
   const auto outcome = call(row.arguments, folder);

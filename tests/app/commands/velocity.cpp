@@ -189,6 +189,8 @@ TEST_CASE("one line of JSON says what was done") {
   const auto ask = [&](const std::string& expression) {
     return json(folder, outcome.out, expression);
   };
+  CHECK(outcome.out.starts_with(
+      R"({"n":2000,"method":"fmm","builder":"forward","threads":2,"tolerance":1e-05,"order":)"));
   CHECK(ask("*d") == "n method builder threads tolerance order pairs peak_bytes seconds error");
   CHECK(ask("d['n'], d['method'], d['builder'], d['threads'], d['tolerance']") ==
         "2000 fmm forward 2 1e-05");
@@ -198,6 +200,15 @@ TEST_CASE("one line of JSON says what was done") {
   CHECK(ask("all(s > 0 for s in d['seconds'].values() if s is not None)") == "True");
   CHECK(ask("0 < d['error']['relative_l2'] <= 1e-5, d['error']['targets']") == "True 1000");
   CHECK(ask("0 < d['error']['p99'] <= d['error']['max'] < 1e-4") == "True");
+}
+
+TEST_CASE("what a method does not have is null") {
+  const TemporaryFolder folder;
+  write_cloud(folder / "in.h5", 20, true);
+  const auto outcome = call("velocity in.h5 --out uv.h5 --method direct", folder);
+  CHECK(
+      json(folder, outcome.out, "d['builder'], d['tolerance'], d['order'], d['seconds']['far']") ==
+      "None None None None");
 }
 
 TEST_CASE("the direct sum counts every pair and is right to round-off") {

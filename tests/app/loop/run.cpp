@@ -158,6 +158,58 @@ TEST_CASE("a run that cannot begin is refused with one line and 2") {
   CHECK(outcome.error_lines() == 1);
 }
 
+TEST_CASE("a folder for results that is a link to nothing is named, wherever the link stands") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  fs::create_symlink("no/such", folder / "lost");
+  fs::create_symlink("loop", folder / "loop");
+  fs::create_directory(folder / "r");
+  fs::create_symlink("report.csv", folder / "r/report.csv");
+  for (const std::string command :
+       {"run vortex.toml", "run vortex.toml time.dt=0.02,0.01", "bench velocity"})
+    for (const auto& [link, to] : {std::pair("lost", "no/such"), {"loop", "loop"}})
+      for (const std::string below : {"", "/below"}) {
+        const auto outcome = call(command + " --out " + link + below, folder);
+        CAPTURE(command, link, outcome.err);
+        CHECK(outcome.code == 2);
+        CHECK(outcome.err == std::string("vortree: ") + link + ": is a link to " + to +
+                                 ", where nothing is; a folder was expected\n");
+      }
+  const auto inside = call("run vortex.toml --out r", folder);
+  CHECK(inside.code == 2);
+  CHECK(inside.err.starts_with("vortree: r/report.csv: "));
+  CHECK(fs::is_symlink(folder / "lost"));
+  CHECK_FALSE(fs::exists(folder / "no"));
+}
+
+TEST_CASE(
+    "a picture of a figure's name is replaced by --overwrite only, then drawn as often as asked") {
+  const TemporaryFolder folder;
+  const NoFigures small(folder);
+  fs::create_directory(folder / "plots");
+  for (const std::string name : {"cost", "sweep", "velocity_n"})
+    folder.write("plots/" + name + ".py", "import sys\nname = sys.argv[1] + '/" + name + ".png'\n" +
+                                              "open(name, 'w').write('drawn')\nprint(name)\n");
+  folder.write("vortex.toml", vortex);
+  fs::create_directory(folder / "r");
+  const auto [command, figure] = GENERATE(table<std::string, std::string>(
+      {{"run vortex.toml", "r/cost.png"},
+       {"run vortex.toml time.dt=0.02,0.01", "r/sweep.png"},
+       {"bench velocity --quick --largest 100 --threads 1", "r/velocity_n.png"}}));
+  folder.write(figure, "mine");
+  const auto refused = call(command + " --out r", folder);
+  CAPTURE(command, refused.err);
+  CHECK(refused.code == 2);
+  CHECK(refused.err.starts_with("vortree: " + figure + " is there already: --overwrite "));
+  CHECK(text_of(folder / figure) == "mine");
+  CHECK(call(command + " --out r --overwrite", folder).code == 0);
+  CHECK(text_of(folder / figure) == "drawn");
+  folder.write(figure, "older");
+  CHECK(call("plot r", folder).code == 0);
+  CHECK(text_of(folder / figure) == "drawn");
+}
+
 TEST_CASE("a run in the way is not replaced unasked, by a run or by a sweep") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);

@@ -104,7 +104,7 @@ class TracerMethod final : public flow::Method {
   }
   std::unique_ptr<flow::Method> blank() const override { return std::make_unique<TracerMethod>(); }
   std::string_view name() const override { return "tracers"; }
-  std::vector<Table> tables() override { return {table("tracers", settings_)}; }
+  std::vector<SceneTable> tables() override { return {table("tracers", settings_)}; }
   std::unique_ptr<flow::Solver> begin(const flow::Case& of, double) const override {
     return std::make_unique<Tracers>(of, settings_.count);
   }

@@ -22,7 +22,7 @@ struct AllKeys {
 
   AllKeys() {
     for (const Key& key : keys(scene)) list.emplace_back(key.name, key);
-    for (const vortree::Table& table : tables(scene))
+    for (const vortree::SceneTable& table : tables(scene))
       for (const Key& key : table.keys())
         list.emplace_back(std::string(table.name) + "." + std::string(key.name), key);
   }
@@ -111,7 +111,7 @@ TEST_CASE("no key and no table stands twice, and no table has the name of a key"
     CHECK(names.insert(name).second);
   }
   Scene scene = blank_scene(by_vortices());
-  for (const vortree::Table& table : tables(scene)) {
+  for (const vortree::SceneTable& table : tables(scene)) {
     CAPTURE(table.name);
     CHECK(names.insert(std::string(table.name)).second);
   }
@@ -155,7 +155,7 @@ TEST_CASE("a number past either limit of a key is refused in the words of its ru
 
 TEST_CASE("a table that a scene lacks is made, with its defaults, when its keys are asked for") {
   Scene scene = blank_scene(by_vortices());
-  for (const vortree::Table& table : tables(scene)) {
+  for (const vortree::SceneTable& table : tables(scene)) {
     CAPTURE(table.name);
     const bool lacking = table.name == "body" || table.name == "plunge" || table.name == "motion" ||
                          table.name == "initial";

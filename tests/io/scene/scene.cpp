@@ -84,3 +84,15 @@ TEST_CASE("an override wins over the file, and the last one over those before") 
   CHECK(parse(plain, {"body.radius=0.25"}).body == body::BodySettings{.radius = 0.25});
   CHECK(parse(plain, {"output.fields=[]"}).output.fields.empty());
 }
+
+TEST_CASE("an override that is a table sets the keys that it names, and no others") {
+  const Scene was = parse(full);
+  Scene now = parse(full, {"body={radius=0.5, panels=70}", "body.panels=80"});
+  CHECK(now.body->radius == 0.5);
+  CHECK(now.body->panels == 80);
+  now.body->radius = was.body->radius;
+  now.body->panels = was.body->panels;
+  CHECK(now == was);
+  CHECK(parse(full, {"body={}"}) == was);
+  CHECK(parse(plain, {"body={radius=0.25}"}).body == body::BodySettings{.radius = 0.25});
+}

@@ -2,6 +2,7 @@
 
 using namespace vortree::io;
 using namespace vortree::test;
+using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;
 using Catch::Matchers::StartsWith;
 
@@ -138,6 +139,15 @@ TEST_CASE("a wrong override is refused as it was typed") {
   CHECK(typed("body.panels=20") ==
         "command line: body.panels=20: body.shape is \"circle\"; that needs the key body.radius");
   CHECK(typed("flow=3") == "command line: flow=3: flow is an integer; a table was expected");
+  CHECK(typed("initial={core=-1, separation=1}") ==
+        "command line: initial={core=-1, separation=1}: initial.core is -1; it must be > 0");
+  CHECK(typed("initial={separation=1}") ==
+        "command line: initial={separation=1}: initial.kind is \"lamb_oseen\"; that does not have "
+        "the key initial.separation");
+  CHECK_THAT(typed("initial={cor=1}"),
+             StartsWith("command line: initial={cor=1}: initial.cor is not a key of [initial]"));
+  CHECK(typed("title={x=3}") ==
+        "command line: title={x=3}: title is a string; a table was expected");
   CHECK(typed("title.x=3") == "cases/ring.toml:1: title is a string; a table was expected");
   CHECK(typed("time.end=0.001") ==
         "command line: time.end=0.001: time.end is 0.001; it must be >= time.dt = 0.01");
@@ -175,6 +185,35 @@ TEST_CASE("a reference file is looked for beside the scene, and must be there") 
   box.write("reference/drag.csv", "T,C_D\n");
   const Scene scene = load_scene(path, by_vortices());
   CHECK(reference_path(scene, *scene.check.drag_reference) == file);
+}
+
+TEST_CASE("a reference file is a table with the columns that the check asks for") {
+  const Sandbox box;
+  const std::string body =
+      "[flow]\nnu = 1e-3\nstream = [1, 0]\n[body]\nradius = 0.5\n"
+      "[cores]\nsigma_0 = 0.05\nsigma_max = 0.1\n[time]\ndt = 0.01\nend = 2\n[check]\n";
+  const auto path = box.write("scene.toml", body + "drag_reference = \"known.csv\"\n");
+  const std::string known = (box / "known.csv").string();
+  const auto refused_with = [&](const std::vector<std::string>& overrides) {
+    return refusal([&] { (void)load_scene(path, overrides); });
+  };
+  const std::string at = path.string() + ":13: check.drag_reference is \"known.csv\"; " + known;
+  box.write("known.csv", "root:x:0\nbin:x:1,2\n");
+  CHECK(refused_with({}) == at + ":2: 2 cells; 1 columns were expected");
+  box.write("known.csv", "T,C_L\n1,2\n");
+  CHECK(refused_with({}) == at + ": there is no column C_D; the file has T, C_L");
+  box.write("known.csv", "T,C_D\n1,2\n");
+  CHECK(load_scene(path).check.drag_reference == "known.csv");
+  CHECK_THAT(refused_with({"check.bubble_max=0.1"}),
+             EndsWith("no column L_over_D; the file has T, C_D"));
+  CHECK_THAT(refused_with({"check.separation_max_deg=1"}), Contains("no column sep_deg"));
+  for (const std::string key : {"drag", "wall_vorticity", "moments"})
+    CHECK(refused_with({"check." + key + "_reference=."}) ==
+          "command line: check." + key + "_reference=.: check." + key +
+              "_reference is \".\"; there is no file " + (box / ".").string());
+  CHECK_THAT(refused_with({"check.wall_vorticity_reference=known.csv"}),
+             Contains("no column theta_deg"));
+  CHECK_THAT(refused_with({"check.moments_reference=known.csv"}), Contains("no column t;"));
 }
 
 TEST_CASE("what a check asks has something that it is held against, or is refused") {

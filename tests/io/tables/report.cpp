@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
-#include "io/json.hpp"
 #include "io/sandbox.hpp"
 #include "io/tables/table.hpp"
 
@@ -179,36 +177,4 @@ TEST_CASE("a broken table is refused with its line") {
   CHECK(read("t,C\n1,2\n") == ": there is no column T; the file has t, C");
   CHECK(refusal([&] { (void)Table(box / "none.csv"); }) ==
         (box / "none.csv").string() + ": no such file");
-}
-
-TEST_CASE("JSON keeps the order in which it was told, on a line and on a page") {
-  Json json;
-  json["n"] = 1000;
-  json["method"] = "boxes \"quoted\" \\ \n";
-  json["seconds"]["tree"] = 0.1;
-  json["seconds"]["total"] = 1e-7;
-  json["error"] = std::numeric_limits<double>::quiet_NaN();
-  json["steps"] = Json::array({1, Json::array({}), true});
-  json["nothing"];
-  json["n"] = std::uint64_t{18446744073709551615u};
-  CHECK(json.line() ==
-        R"({"n": 18446744073709551615, "method": "boxes \"quoted\" \\ \u000a", )"
-        R"("seconds": {"tree": 0.1, "total": 1e-07}, "error": null, "steps": [1, [], true], )"
-        R"("nothing": null})");
-  const Sandbox box;
-  Json small;
-  small["a"] = Json::array({1, 2});
-  small["b"]["c"] = false;
-  write_json(box / "summary.json", small);
-  CHECK(text_of(box / "summary.json") == R"({
-  "a": [
-    1,
-    2
-  ],
-  "b": {
-    "c": false
-  }
-}
-)");
-  CHECK_THROWS_AS(small["b"]["c"]["d"], std::logic_error);
 }
