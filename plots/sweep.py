@@ -51,9 +51,14 @@ def draw(run):
     if numeric:
         at_values(panels[0], sorted({number(row[keys[-1]]) for row in rows}))
     panels[0].legend(loc="best", fontsize=9)
-    fig.text(0.995, 0.005, notes.get("machine", "").split(", Linux")[0], ha="right", va="bottom",
-             fontsize=7.5, color=GREY)
+    fig.text(0.995, 0.005, where(notes), ha="right", va="bottom", fontsize=7.5, color=GREY)
     return fig
+
+
+def where(notes):
+    """The machine, and whether others were at work on it."""
+    machine = notes.get("machine", "").split(", Linux")[0]
+    return machine + (f"; load {notes['load'].split()[0]}" if "load" in notes else "")
 
 
 def read(path):

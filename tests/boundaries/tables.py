@@ -1,0 +1,209 @@
+"""Holds tables of measured numbers on the pages to the CSV files beside them.   tables.py ROOT
+
+Every number of such a table is that of its file, as far as it is printed. Seconds, speed and memory
+are those of a machine with nothing else to do; they are told on the page and not held. A picture of
+the gallery beside which a CSV lies was drawn from it, to the last bit of the file.
+"""
+
+import csv
+import hashlib
+import math
+import re
+import sys
+from decimal import Decimal
+from pathlib import Path
+
+ROOT = Path(sys.argv[1])
+NUMBER = re.compile(r"(?<![\w.^/-])(\d{1,3}(?: \d{3})+|\d+(?:\.\d+)?(?:e[-+]?\d+)?)( %)?(?![\w^])")
+failed = []
+held = 0
+
+
+def read(name):
+    lines = (line for line in (ROOT / name).read_text().splitlines() if not line.startswith("#"))
+    return list(csv.DictReader(lines))
+
+
+def printed(cell):
+    """Numbers of a cell: value, half a unit of the last digit that is printed, both as they are."""
+    for digits, percent in NUMBER.findall(cell):
+        number = Decimal(digits.replace(" ", ""))
+        rounded = number.normalize() if " " in digits else number  # thousands are
+        last = rounded.as_tuple().exponent
+        unit = 0.01 if percent else 1
+        yield float(number) * unit, 0.5 * 10.0 ** last * unit
+
+
+def hold(where, cell, values):
+    """values: a number for each of the cell's; None: not held."""
+    global held
+    numbers = list(printed(cell))
+    if len(numbers) != len(values):
+        failed.append(f"{where}: {cell.strip()!r} has {len(numbers)} numbers, not {len(values)}")
+        return
+    for (number, half), value in zip(numbers, values):
+        if value is None:
+            continue
+        held += 1
+        if not abs(number - float(value)) <= half * (1 + 1e-9):
+            failed.append(f"{where}: {cell.strip()!r}, but the file has {value}")
+
+
+def table(page, header, which=0):
+    """Rows of cells of a table whose first line begins so: the first, or another."""
+    lines = (ROOT / page).read_text().splitlines()
+    first = [n for n, line in enumerate(lines) if line.startswith(header)]
+    if len(first) <= which:
+        sys.exit(f"{page}: {len(first)} tables begin with {header}")
+    rows = []
+    for line in lines[first[which] + 2:]:
+        if not line.startswith("|"):
+            return rows
+        rows.append(line.strip("|\n").split("|"))
+    return rows
+
+
+def hold_table(page, header, expected):
+    """expected: a row for each of the table's, of a list for each cell; None: not held."""
+    rows = table(page, header)
+    if len(rows) != len(expected):
+        failed.append(f"{page}: {len(rows)} rows below {header}, not {len(expected)}")
+    for cells, wanted in zip(rows, expected):
+        if len(cells) != len(wanted):
+            failed.append(f"{page}: {len(cells)} cells, not {len(wanted)}: {cells[0].strip()}")
+        for cell, values in zip(cells, wanted):
+            if values is not None:
+                hold(f"{page}: {cells[0].strip()}", cell, values)
+
+
+def order(h, e):
+    """The slope that fits best, both on logarithmic scales."""
+    x, y = [math.log(float(v)) for v in h], [math.log(float(v)) for v in e]
+    mx, my = sum(x) / len(x), sum(y) / len(y)
+    return sum((a - mx) * (b - my) for a, b in zip(x, y)) / sum((a - mx) ** 2 for a in x)
+
+
+def what_a_digit_costs():
+    """The sweep of the cylinder: cases/README.md, and two rows of the front page."""
+    rows = read("plots/gallery/cylinder_re550_quick/sweep.csv")
+    errors = ("drag_max", "drag_rms", "bubble_max", "separation_max_deg", "wall_vorticity_rms",
+              "routes_max")
+    fine = [row for row in rows if float(row["accuracy"]) <= 0.01]
+    fits = [[order([row["accuracy"] for row in fine], [row[name] for row in fine])]
+            for name in errors]
+    fits[errors.index("separation_max_deg")] = []  # has none
+    hold_table("cases/README.md", "| accuracy | drag, largest",
+               [[[row["accuracy"]], *([row[name]] for name in errors), [row["blobs"]], None]
+                for row in rows] + [[None, *fits, [], []]])
+    drag = {row["accuracy"]: [row["drag_rms"], row["drag_max"]] for row in rows}
+    front = table("README.md", "| | accurate to | in |")
+    for cells, accuracy in zip(front, ("0.003", "0.01")):
+        if f"`accuracy={accuracy}`" not in cells[0]:
+            failed.append(f"README.md: {cells[0]} is not that of accuracy={accuracy}")
+        hold(f"README.md: {cells[0].strip()}", cells[1], drag[accuracy])
+
+
+def three_ways_to_diffuse():
+    rows = read("cases/diffusion.csv")
+    ways = [rows[k:k + 3] for k in (0, 3, 6)]
+    expected = []
+    for way in ways:
+        errors = [row["quadrupole_max"] for row in way]
+        half = [math.sqrt(float(row["accuracy"])) for row in way]  # the core goes with its root
+        expected.append([None, *([error, None] for error in errors), [order(half, errors)]])
+    hold_table("cases/README.md", "| quadrupole's error at t = 2", expected)
+
+
+def reached():
+    """{scene: {what: number}}, and the same of what was asked."""
+    found, asked = {}, {}
+    for row in read("cases/reached.csv"):
+        found.setdefault(row["scene"], {})[row["what"]] = row["reached"]
+        asked.setdefault(row["scene"], {})[row["what"]] = row["asked"]
+    return found, asked
+
+
+def cylinder_at_550(found, asked):
+    names = ("drag_max", "drag_rms", "bubble_max", "separation_max_deg", "routes_max", "lift_max",
+             "wall_vorticity_rms")
+    scenes = ("cylinder_re550", "cylinder_re550_fine")
+    expected = [[None, [asked[scenes[0]][name]], *([found[scene][name]] for scene in scenes)]
+                for name in names]
+    expected += [[None, [], *([found[scene]["blobs"]] for scene in scenes)]] + [[None] * 4] * 3
+    hold_table("README.md", "| | asked | `cylinder_re550`", expected)
+
+
+# What is told in the third column of the tables of scenes: None for a number that is no deviation.
+TOLD = {
+    "ellipse": ("routes_max", "lift_routes_max"),
+    "naca0012": (None, None, None, None, "lift_routes_max", "routes_max"),
+    "oscillating_cylinder": ("morison_drag_max", "morison_mass_max", "routes_max"),
+    "spinning_cylinder": ("velocity_max", "lift_max"),
+    "plunging_naca0012": ("theodorsen_max", "lift_routes_max"),
+    "lamb_oseen": ("vorticity_max", "velocity_max"),
+    "kirchhoff_ellipse": ("rotation_max", "energy_max"),
+    "dipole": ("speed_max", "impulse_max", "energy_max"),
+    "gaussian_ellipse": ("quadrupole_max", "separation_max"),
+    "corotating_pair": ("merger_max", "separation_max"),
+    "tripole": ("quadrupole_max", None),
+}
+
+
+def hold_scene(where, cell, found, scene, told):
+    """A scene that nobody has run for reached.csv yet is not held."""
+    if scene in found:
+        hold(f"{where}: {scene}", cell, [what and found[scene][what] for what in told])
+
+
+def scenes(found):
+    """Other bodies, and vortices in free space."""
+    told = set()
+    for at in (0, 1):
+        for cells in table("cases/README.md", "| scene | held against", at):
+            scene = re.search("`(.+?)`", cells[0])[1]
+            told.add(scene)
+            hold_scene("cases/README.md", cells[2], found, scene, TOLD[scene])
+    if told != set(TOLD):
+        failed.append(f"cases/README.md tells of {sorted(told)}")
+
+
+def wakes_that_shed(found):
+    scenes = ("cylinder_re100", "cylinder_re200")
+    rows = table("cases/README.md", "| to t = 100")
+    for cells, told in zip(rows, ((None, None, "strouhal_max"), None, ("routes_max",),
+                                  ("blobs_max",))):
+        for scene, cell in zip(scenes, cells[1:]):
+            if told:
+                hold_scene(f"cases/README.md: {cells[0].strip()}", cell, found, scene, told)
+
+
+def front_page(found):
+    """Two of its rows that are scenes."""
+    rows = table("README.md", "| | accurate to | in |")
+    for begins, scene, told in (
+            (" a cylinder that oscillates", "oscillating_cylinder",
+             (None, None, "morison_drag_max", "morison_mass_max")),
+            (" Kirchhoff's ellipse", "kirchhoff_ellipse", ("rotation_max", "energy_max"))):
+        for cells in (row for row in rows if row[0].startswith(begins)):
+            hold_scene("README.md", cells[1], found, scene, told)
+
+
+def gallery():
+    for kept in sorted((ROOT / "plots" / "gallery").rglob("*.csv")):
+        mark = hashlib.sha256(kept.read_bytes()).hexdigest().encode()
+        for picture in kept.parent.glob("*.png"):
+            if mark not in picture.read_bytes():
+                failed.append(f"{picture}: was not drawn from the {kept.name} beside it: "
+                              "plots/gallery/remake --kept")
+
+
+what_a_digit_costs()
+three_ways_to_diffuse()
+found, asked = reached()
+cylinder_at_550(found, asked)
+scenes(found)
+wakes_that_shed(found)
+front_page(found)
+gallery()
+print(*failed, f"{held} numbers held, {len(failed)} objections", sep="\n")
+sys.exit(bool(failed) or held < 100)
