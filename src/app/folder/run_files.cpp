@@ -12,6 +12,7 @@
 #include "app/install_paths.hpp"
 #include "app/say.hpp"
 #include "io/files.hpp"
+#include "io/scene/schema.hpp"
 #include "io/while_reading.hpp"
 
 namespace vortree::app {

@@ -35,7 +35,7 @@ bool at_rest(const Scene& s) {
 }
 bool started(const Scene& s) {
   return s.body && s.body->shape == body::ShapeKind::circle && !s.plunge && !s.motion &&
-         !s.initial && s.flow.stream != Vec2{0, 0};
+         !s.initial && s.flow.stream != Pair{0, 0};
 }
 bool in_stream(const Scene& s) {
   return s.plunge && s.flow.stream != Pair{0, 0};
