@@ -195,7 +195,7 @@ TEST_CASE("a reference file is a table with the columns that the check asks for"
   const auto path = box.write("scene.toml", body + "drag_reference = \"known.csv\"\n");
   const std::string known = (box / "known.csv").string();
   const auto refused_with = [&](const std::vector<std::string>& overrides) {
-    return refusal([&] { (void)load_scene(path, overrides); });
+    return refusal([&] { (void)load_scene(path, by_vortices(), overrides); });
   };
   const std::string at = path.string() + ":13: check.drag_reference is \"known.csv\"; " + known;
   box.write("known.csv", "root:x:0\nbin:x:1,2\n");
@@ -203,7 +203,7 @@ TEST_CASE("a reference file is a table with the columns that the check asks for"
   box.write("known.csv", "T,C_L\n1,2\n");
   CHECK(refused_with({}) == at + ": there is no column C_D; the file has T, C_L");
   box.write("known.csv", "T,C_D\n1,2\n");
-  CHECK(load_scene(path).check.drag_reference == "known.csv");
+  CHECK(load_scene(path, by_vortices()).check.drag_reference == "known.csv");
   CHECK_THAT(refused_with({"check.bubble_max=0.1"}),
              EndsWith("no column L_over_D; the file has T, C_D"));
   CHECK_THAT(refused_with({"check.separation_max_deg=1"}), Contains("no column sep_deg"));
