@@ -15,9 +15,8 @@ std::vector<Key> keys(Case& of) {
           key("seed", of.seed, not_negative, "", "start of the random numbers"),
           key("accuracy", of.accuracy,
               {.low = 0, .high = 1, .above_low = true, .words = "it must lie between 0 and 1"}, "",
-              "relative error aimed at: chooses what is not written of `cores.sigma_0`, "
-              "`cores.sigma_max`, `time.dt`, `merging.*`, `velocity.tolerance` and, beside a body, "
-              "`body.panels` and `velocity.cores`")};
+              "relative error aimed at: the method chooses by it what is not written of `time.dt`, "
+              "`body.panels` and its own tables (`cores`, `merging` and `velocity` of vortices)")};
 }
 
 std::vector<SceneTable> tables(Case& of) {
