@@ -74,7 +74,8 @@ void doubt_output(List& list, const Case& of) {
   if (output.fields.empty()) return;
   const auto [x0, y0, x1, y1] = *output.window;
   const auto flow = place_of_flow(of);
-  if (x1 < flow[0] || flow[2] < x0 || y1 < flow[1] || flow[3] < y0)
+  const bool somewhere = of.body || of.initial;
+  if (somewhere && (x1 < flow[0] || flow[2] < x0 || y1 < flow[1] || flow[3] < y0))
     list.push_back(fmt::format(
         "output.window = [{:.4g}, {:.4g}, {:.4g}, {:.4g}]: the flow passes through [{:.4g}, "
         "{:.4g}, {:.4g}, {:.4g}]; pictures will show nothing of it",

@@ -28,7 +28,7 @@ end = 0.2
 frames = 0.08
 )";
 
-const std::vector<std::string> drawn{"output.window=[-1,-1,1,1]", "output.field_spacing=1"};
+const std::vector<std::string> drawn{"output.window=[-1,-1,1,1]", "output.field_spacing=0.1"};
 
 io::Scene scene(std::vector<std::string> overrides = {}, bool pictures = false) {
   if (pictures) overrides.insert(overrides.end(), drawn.begin(), drawn.end());
