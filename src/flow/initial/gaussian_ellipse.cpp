@@ -18,7 +18,7 @@ void hold(const InitialSettings& i, double sigma_0) {
 /// An elliptical Gaussian, `core` wide along x and `core_across` along y.
 const InitialFlow& gaussian_ellipse() {
   static const InitialFlow kind{
-      {"gaussian_ellipse", {{"core_across", positive, "L", "its width along y"}}},
+      {"gaussian_ellipse", {{"core_across", positive, "L", "half its width along y"}}},
       "an elliptic Gaussian",
       patches,
       hold};

@@ -4,9 +4,15 @@
 #include <stdexcept>
 
 // Each is `const InitialFlow& NAME()` in a file of this folder.
-#define VORTREE_INITIAL_FLOWS(kind)                                                     \
-  kind(lamb_oseen) kind(gaussian_ellipse) kind(kirchhoff_ellipse) kind(corotating_pair) \
-      kind(dipole) kind(tripole)
+// clang-format off
+#define VORTREE_INITIAL_FLOWS(kind) \
+  kind(lamb_oseen) \
+  kind(gaussian_ellipse) \
+  kind(kirchhoff_ellipse) \
+  kind(corotating_pair) \
+  kind(dipole) \
+  kind(tripole)
+// clang-format on
 
 namespace vortree::flow {
 

@@ -32,8 +32,8 @@ struct InitialSettings {
 /// Its keys, in the order in which they are read and printed, if these kinds are known.
 [[nodiscard]] std::vector<Key> keys(InitialSettings& initial, InitialFlows known = initial_flows());
 
-/// throws  Refused if a number lacks that the kind needs, or is there that it does not have; without
-///         circulation; with blobs more than three cores apart
+/// throws  Refused if a number lacks that the kind needs, or is there that it does not have;
+///         without circulation; with blobs more than three cores apart
 void refuse(const InitialSettings& initial);
 
 /// The same once cores are known.

@@ -19,8 +19,8 @@ struct Lattice {
 /// throws  std::invalid_argument unless sigma_0, h > 0
 Blobs cut(const Lattice& lattice, const flow::Patch& patch);
 
-/// An initial flow, its patches one after the other; where it lies, its spacing and its faintest are
-/// those of the lattice.
+/// An initial flow, its patches one after the other; its place, spacing and faintest are those of
+/// the lattice.
 Blobs cut(const Lattice& lattice, const flow::InitialSettings& initial);
 
 /// An elliptical Gaussian of half widths a along x and b along y (flow/initial/gaussian.hpp).
