@@ -59,7 +59,8 @@ void restore_numbers(const flow::State& state, const auto& numbers, auto& of) {
 
 }  // namespace
 
-Solver::Solver(Setup setup) : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
+VortexSolver::VortexSolver(Setup setup)
+    : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
   setup_.problem.wall = wall();
   take(start(blobs_, setup_.problem));
   second_moment_at_start_ = flow::measured(measures_, "second_moment");
@@ -67,13 +68,13 @@ Solver::Solver(Setup setup) : setup_(std::move(setup)), blobs_(std::move(setup_.
 }
 
 /// What a step has left becomes the flow as it is.
-void Solver::take(Wake wake) {
+void VortexSolver::take(Wake wake) {
   wake_ = std::move(wake);
   growth_.add(blobs_.size());
   measures_ = measure();
 }
 
-void Solver::step(const flow::Phase& phase) {
+void VortexSolver::step(const tree::Phase& phase) {
   const double later = time_of(steps_ + 1);
   Problem& problem = setup_.problem;
   const Vec2 origin = setup_.origin.at(later);
@@ -106,7 +107,7 @@ void Solver::step(const flow::Phase& phase) {
   drift_ = std::max(drift_, drift_now());
 }
 
-flow::Columns Solver::columns() const {
+flow::Columns VortexSolver::columns() const {
   const Velocities u = velocity_at({blobs_.x, blobs_.y}, blobs_, setup_.problem);
   const Vec2 from = origin(), drift = setup_.origin.drift;
   return {{"x", "L", moved(blobs_.x, from.x)}, {"y", "L", moved(blobs_.y, from.y)},
@@ -114,7 +115,7 @@ flow::Columns Solver::columns() const {
           {"u", "L/T", moved(u.u, drift.x)},   {"v", "L/T", moved(u.v, drift.y)}};
 }
 
-flow::Measures Solver::measure() const {
+flow::Measures VortexSolver::measure() const {
   const Invariants now = invariants(blobs_, shape());
   const Flow& flow = setup_.problem.flow;
   double circulation = now.circulation + wake_.retired.gamma;
@@ -146,7 +147,7 @@ flow::Measures Solver::measure() const {
   };
 }
 
-std::optional<flow::Force> Solver::force() const {
+std::optional<flow::Force> VortexSolver::force() const {
   if (!wall()) return std::nullopt;
   const Vec2 moment = wake_.moment;
   return flow::Force{.t = time(),
@@ -156,7 +157,7 @@ std::optional<flow::Force> Solver::force() const {
                      .frame = wall()->area() * setup_.problem.flow.plunge.acceleration(time())};
 }
 
-double Solver::drift_now() const {
+double VortexSolver::drift_now() const {
   const double circulation = flow::measured(measures_, "circulation");
   if (wall()) return std::abs(circulation) / (setup_.scales.speed * setup_.scales.length);
   const double grown = 4 * setup_.problem.flow.nu * time() * circulation;
@@ -164,7 +165,7 @@ double Solver::drift_now() const {
   return expected == 0 ? 0 : std::abs(flow::measured(measures_, "second_moment") / expected - 1);
 }
 
-flow::Samples Solver::sample(tree::Points at) const {
+flow::Samples VortexSolver::sample(tree::Points at) const {
   const Vec2 from = origin(), drift = setup_.origin.drift;
   const std::vector<double> x = moved({at.x.begin(), at.x.end()}, -from.x),
                             y = moved({at.y.begin(), at.y.end()}, -from.y);
@@ -176,12 +177,12 @@ flow::Samples Solver::sample(tree::Points at) const {
   return {moved(std::move(u.u), drift.x), moved(std::move(u.v), drift.y), std::move(omega)};
 }
 
-flow::FrameTable Solver::frame_table() const {
+flow::FrameTable VortexSolver::frame_table() const {
   if (wall()) return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "sheet"}};
   return {"energy.csv", {"t", "energy", "enstrophy"}};
 }
 
-std::vector<double> Solver::frame_rows() const {
+std::vector<double> VortexSolver::frame_rows() const {
   std::vector<double> rows;
   const double t = time();
   if (!wall()) {
@@ -201,12 +202,12 @@ std::vector<double> Solver::frame_rows() const {
 }
 
 /// Of all vorticity of both signs, what has left the box.
-double Solver::share_gone() const {
+double VortexSolver::share_gone() const {
   const double gone = setup_.problem.retired.of_both_signs;
   return gone > 0 ? gone / (gone + strength(blobs_)) : 0;
 }
 
-flow::Closing Solver::closing() const {
+flow::Closing VortexSolver::closing() const {
   if (!setup_.box) return {};
   const Retired& gone = setup_.problem.retired;
   return {{{"left_box.circulation", "L^2/T", gone.gamma},
@@ -217,7 +218,7 @@ flow::Closing Solver::closing() const {
               " net"};
 }
 
-void Solver::save(flow::State& state) const {
+void VortexSolver::save(flow::State& state) const {
   if (const Vec2 from = origin(); dot(from, from) > 0) {
     state["x_in_flow"] = blobs_.x;
     state["y_in_flow"] = blobs_.y;
@@ -232,7 +233,7 @@ void Solver::save(flow::State& state) const {
   state["wall_vorticity"] = wake_.wall_vorticity;
 }
 
-void Solver::restore(long steps, const flow::Columns& columns, const flow::State& state) {
+void VortexSolver::restore(long steps, const flow::Columns& columns, const flow::State& state) {
   steps_ = steps;
   Problem& problem = setup_.problem;
   problem.time = time_of(steps);

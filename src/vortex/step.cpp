@@ -49,7 +49,7 @@ double sheet_circulation(const Blobs& blobs, const Problem& p) {
   return -total(blobs.gamma) - p.retired.gamma - of_body(p);
 }
 
-fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
+fmm::Sources as_sources(const Blobs& blobs, const Acting& at) {
   return {at.x, at.y, blobs.gamma, at.sigma};
 }
 
@@ -68,7 +68,7 @@ Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2
   Acting carrying = at;
   if (p.carrying_cores != 1)
     for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
-  const fmm::Blobs sources = as_sources(blobs, carrying);
+  const fmm::Sources sources = as_sources(blobs, carrying);
   const tree::Points samples = p.wall ? p.wall->samples() : tree::Points{};
   const fmm::Plan plan(sources, p.sums);
   if (gradients) {
@@ -178,7 +178,7 @@ Wake start(Blobs& blobs, const Problem& p) {
 
 namespace {
 
-Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& phase) {
+Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tree::Phase& phase) {
   const body::Shape* shape = p.wall ? &p.wall->shape() : nullptr;
   Wake wake;
   phase("convect");
@@ -218,7 +218,7 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Pha
 
 }  // namespace
 
-Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const Phase& phase) {
+Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::Phase& phase) {
   const int parts = parts_of(whole, number);
   if (parts == 1) return step_in_one(blobs, whole, number, phase);
   Problem p = in_parts_of(whole, parts);

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "body/motion.hpp"
 #include "fmm/options.hpp"
+#include "tree/base/phase.hpp"
 #include "vortex/adapt/merge_close.hpp"
 #include "vortex/adapt/split_wide.hpp"
 #include "vortex/blobs/invariants.hpp"
@@ -94,9 +93,6 @@ struct Multiplied : std::runtime_error {
       : std::runtime_error(std::to_string(count) + " blobs"), blobs(count) {}
 };
 
-/// Called with the name of each phase as it begins, for whoever keeps the time.
-using Phase = std::function<void(std::string_view name)>;
-
 /// The impulsive start: the sheet that cancels the slip of stream and blobs at t = 0, released.
 Wake start(Blobs& blobs, const Problem& problem);
 
@@ -105,7 +101,7 @@ Wake start(Blobs& blobs, const Problem& problem);
 /// and 2 parts of dt, with cores and mergers as much finer: an impulsive start changes the flow as
 /// fast as it is young.
 /// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
-Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const Phase& phase);
+Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const tree::Phase& phase);
 
 /// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at
 /// rest.

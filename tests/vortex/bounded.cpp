@@ -54,7 +54,7 @@ TEST_CASE("what is too faint is accounted for, and all else stays as it is") {
 
 TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
   const vortex::Wall wall(body::circle({}, 0.5), 60);
-  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   const auto moments = [&](double edge) {
     vortex::Problem problem{.flow = {{1, 0}, 0.05},
                             .dt = 0.05,

@@ -15,8 +15,8 @@
 namespace vortree::vortex {
 namespace {
 
-using merge_kernel::Choice;
 using merge_kernel::Limits;
+using merge_kernel::MergeChoice;
 using merge_kernel::none;
 
 /// At candidates, in the mean of a part: flows that went well took at most 33. And a second's work,
@@ -53,10 +53,10 @@ class Remainder {
   double side_;  // of what seeks together
   Bins bins_;
   std::vector<Number> slot_;  // place in the bins' order, which is that of the candidates
-  merge_kernel::Columns<std::vector<float>> candidates_;
+  merge_kernel::MergeColumns<std::vector<float>> candidates_;
   std::vector<float> home_x_, home_y_;  // of candidates when they were binned
   float farthest_from_home_ = 0;
-  std::vector<Choice> choice_;
+  std::vector<MergeChoice> choice_;
   std::vector<Number> choosers_;  // all who have a choice
   std::vector<char> paired_;
   std::atomic<std::size_t> looked_ = 0;  // at candidates
@@ -126,7 +126,7 @@ std::size_t Remainder::seek_together(std::span<const Number> seeking) {
     looked_.fetch_add(looked, std::memory_order_relaxed);
   });
   for (std::size_t k = 0; k < seekers.size(); ++k) {
-    Choice choice = seekers.choice(k);
+    MergeChoice choice = seekers.choice(k);
     if (choice.partner != none) choice.partner = bins_.order()[choice.partner];
     choice_[seeking[k]] = choice;
   }
@@ -165,8 +165,8 @@ void Remainder::choose(std::span<const Number> seeking) {
     if (choice_[i].partner != none) choosers_.push_back(i);
   for (std::size_t k = 0; k < choosers_.size(); ++k) {
     const Number i = choosers_[k];
-    const Choice mine = choice_[i];
-    Choice& theirs = choice_[mine.partner];
+    const MergeChoice mine = choice_[i];
+    MergeChoice& theirs = choice_[mine.partner];
     if (theirs.partner == none) choosers_.push_back(mine.partner);
     if (mine.error < theirs.error || (mine.error == theirs.error && i < theirs.partner))
       theirs = {i, mine.error};

@@ -59,7 +59,7 @@ constexpr std::uint32_t bit(std::uint8_t i) {
 }  // namespace
 
 /// Those who seek, a vector of them at a time, look at all who live.
-void Window::choose(const Limits& limits) {
+void MergeWindow::choose(const Limits& limits) {
   chose_ &= ~seeking_;
   for (Set left = seeking_; left != 0;) {
     Seekers<Singles> seekers;
@@ -72,7 +72,7 @@ void Window::choose(const Limits& limits) {
     seekers.choose(traits_, limits,
                    [&](auto consider) { for_each(alive_, [&](Number i) { consider(i); }); });
     for (std::size_t k = 0; k < seekers.size(); ++k) {
-      const Choice choice = seekers.choice(k);
+      const MergeChoice choice = seekers.choice(k);
       error_[who[k]] = choice.error;
       partner_[who[k]] = static_cast<Number>(choice.partner);
       chose_ |= choice.partner != none ? bit(who[k]) : 0;
@@ -81,7 +81,7 @@ void Window::choose(const Limits& limits) {
 }
 
 /// Those who chose are offered to whom they chose.
-void Window::offer() {
+void MergeWindow::offer() {
   for_each(seeking_ & chose_, [&](Number i) {
     const Number j = partner_[i];
     if (error_[i] >= error_[j]) return;
@@ -92,7 +92,7 @@ void Window::offer() {
 }
 
 /// The first of each mutual pair; they and those they have left alone seek again.
-Window::Set Window::pair_up() {
+MergeWindow::Set MergeWindow::pair_up() {
   Set first = 0, second = 0, alone = 0;
   for_each(chose_, [&](Number i) {
     const Number j = partner_[i];
@@ -108,8 +108,8 @@ Window::Set Window::pair_up() {
   return first;
 }
 
-void Window::look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
-                     const Limits& limits) {
+void MergeWindow::look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
+                          const Limits& limits) {
   const Vec2 first = parts[members[0]].centre();
   for (std::size_t i = 0; i < members.size(); ++i) {
     const Part& p = parts[members[i]];
@@ -117,8 +117,8 @@ void Window::look_at(std::span<const std::uint32_t> members, std::span<const Par
   }
 }
 
-std::size_t Window::merge(std::span<std::uint32_t> members, std::span<Part> parts,
-                          std::span<AtWall> at_wall, const Limits& limits) {
+std::size_t MergeWindow::merge(std::span<std::uint32_t> members, std::span<Part> parts,
+                               std::span<AtWall> at_wall, const Limits& limits) {
   const Vec2 first_place = parts[members[0]].centre();
   look_at(members, parts, limits);
   error_.fill(never);

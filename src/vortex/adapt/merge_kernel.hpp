@@ -55,7 +55,7 @@ constexpr float never = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t none = ~0u;
 
 /// The partner with which merging costs least.
-struct Choice {
+struct MergeChoice {
   std::uint32_t partner = none;
   float error = never;
 };
@@ -120,7 +120,7 @@ template <class V>
 
 /// Traits in columns.
 template <class Column>
-struct Columns {
+struct MergeColumns {
   Column x, y, gamma, square, inverse_cube, widening2;
 
   void resize(std::size_t n) {
@@ -194,9 +194,9 @@ class Seekers {
     store(partners_.data(), partner);
   }
 
-  Choice choice(std::size_t k) const {
+  MergeChoice choice(std::size_t k) const {
     const std::uint32_t partner = number(partners_[k]);
-    return partner != none ? Choice{partner, errors_[k]} : Choice{};
+    return partner != none ? MergeChoice{partner, errors_[k]} : MergeChoice{};
   }
 
  private:
@@ -204,7 +204,7 @@ class Seekers {
   static float tag(std::uint32_t number) { return std::bit_cast<float>(number + 0x3f800000u); }
   static std::uint32_t number(float tag) { return std::bit_cast<std::uint32_t>(tag) - 0x3f800000u; }
 
-  Columns<std::array<float, most>> mine_;
+  MergeColumns<std::array<float, most>> mine_;
   std::array<float, most> numbers_, errors_, partners_;
   std::size_t size_ = 0;
 };
@@ -226,7 +226,7 @@ class LoneSeeker {
     }
   }
 
-  Choice choice() const { return least_; }
+  MergeChoice choice() const { return least_; }
 
  private:
   void take(Singles e, std::uint32_t first) {
@@ -236,11 +236,11 @@ class LoneSeeker {
 
   Traits<Singles> mine_;
   std::uint32_t own_;
-  Choice least_;
+  MergeChoice least_;
 };
 
 /// Like signed parts that merge among each other, at most so many at once.
-class Window {
+class MergeWindow {
  public:
   static constexpr std::size_t most = 32;
 
@@ -260,7 +260,7 @@ class Window {
   void offer();
   Set pair_up();
 
-  Columns<std::array<float, most>> traits_;
+  MergeColumns<std::array<float, most>> traits_;
   std::array<float, most> error_;
   std::array<Number, most> partner_;
   Set alive_, seeking_, chose_;

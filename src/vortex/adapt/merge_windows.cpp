@@ -14,7 +14,7 @@ namespace vortree::vortex {
 namespace {
 
 using merge_kernel::Limits;
-using merge_kernel::Window;
+using merge_kernel::MergeWindow;
 
 constexpr int across = 16;  // cells of a tile along its side
 
@@ -121,7 +121,7 @@ Tiled tiled(std::span<const Part> parts, const Tiling& tiling) {
 
 /// What one thread needs for a tile.
 struct Desk {
-  Window window;
+  MergeWindow window;
   std::vector<std::uint32_t> order;
   std::vector<std::uint8_t> place;
   std::vector<Part> left;
@@ -163,7 +163,7 @@ void sort_along_curve(std::span<const Part> parts, const Tiling& tiling, Desk& d
 /// Merges a tile's parts and leaves what is left of them at its beginning.
 std::uint32_t merge_tile(std::span<Part> parts, std::span<AtWall> at_wall, const Tiling& tiling,
                          const Limits& limits, Desk& desk) {
-  const std::size_t n = parts.size(), windows = (n + Window::most - 1) / Window::most;
+  const std::size_t n = parts.size(), windows = (n + MergeWindow::most - 1) / MergeWindow::most;
   desk.order.resize(n);
   std::iota(desk.order.begin(), desk.order.end(), 0u);
   if (windows > 1) sort_along_curve(parts, tiling, desk);

@@ -9,12 +9,12 @@ namespace {
 
 constexpr int per_core = 64, nodes = per_core * static_cast<int>(reach) + 1, terms = 10;
 constexpr double past_nodes = (nodes - 0.5) / per_core;
-using Series = std::array<double, terms>;
+using Taylor = std::array<double, terms>;
 
 /// The mean's Taylor series about each node q: its second derivative is 2/sqrt(pi) exp(-q^2), whose
 /// derivatives are that times a_n, a_(n+1) = -2 q a_n - 2 n a_(n-1).
-std::array<Series, nodes> series_about_nodes() {
-  std::array<Series, nodes> all;
+std::array<Taylor, nodes> series_about_nodes() {
+  std::array<Taylor, nodes> all;
   for (int k = 0; k < nodes; ++k) {
     const double q = static_cast<double>(k) / per_core, bell = std::exp(-q * q);
     all[k][0] = inverse_sqrt_pi * bell + q * std::erf(q);
@@ -29,7 +29,7 @@ std::array<Series, nodes> series_about_nodes() {
   return all;
 }
 
-const std::array<Series, nodes> about = series_about_nodes();
+const std::array<Taylor, nodes> about = series_about_nodes();
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Profile profile(double q) {
   if (!(size < past_nodes)) return {size, std::copysign(1.0, q), 0};
   const int k = static_cast<int>(size * per_core + 0.5);
   const double d = size - static_cast<double>(k) / per_core;
-  const Series& c = about[k];
+  const Taylor& c = about[k];
   Profile at{c[terms - 1], 0, 0};
   double half_slope = 0;
   for (int n = terms - 2; n >= 0; --n) {

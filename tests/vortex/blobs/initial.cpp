@@ -107,7 +107,7 @@ TEST_CASE("Kirchhoff's ellipse turns at a b/(a + b)^2 of its vorticity; the erro
   const exact::KirchhoffEllipse ellipse{pi / 2, 1, 0.5};
   CHECK(ellipse.vorticity() == Approx(1));
   CHECK(ellipse.rate() == Approx(2.0 / 9));
-  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   const auto error = [&](double h) {
     Blobs blobs = vortex::uniform_ellipse({{}, 1.25 * h, h}, pi / 2, 1, 0.5);
     const double before = energy(blobs).energy;
@@ -121,7 +121,7 @@ TEST_CASE("Kirchhoff's ellipse turns at a b/(a + b)^2 of its vorticity; the erro
 }
 
 TEST_CASE("a pair of blobs that act by both cores travels, or circles, as Gaussians do") {
-  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   const exact::VortexPair pair{1, 0.6, 1, 0};
   CHECK(pair.travelled(3) == Approx(3 * pair.speed(0)));
   const exact::VortexPair viscous{1, 0.6, 1, 0.01};
