@@ -148,19 +148,19 @@ void scatter(Blobs& blobs, const Problem& p, std::uint64_t number) {
     exchange_strength(blobs, p.flow.nu, p.dt, p.sigma_0, p.area);
 }
 
-/// In how many parts a step is done: after an impulsive start the flow changes as fast as it is
+/// In how many substeps a step is done: after an impulsive start the flow changes as fast as it is
 /// young.
-int parts_of(const Problem& p, std::uint64_t number) {
+int substeps_of(const Problem& p, std::uint64_t number) {
   constexpr std::uint64_t of_first = 8;
   if (!p.wall || number > of_first) return 1;
   return static_cast<int>(of_first / std::max<std::uint64_t>(number, 1));
 }
 
-/// The problem with a step of dt/parts, and cores and mergers as they go with it.
-Problem in_parts_of(const Problem& whole, int parts) {
+/// The problem with a step of dt/substeps, and cores and mergers as they go with it.
+Problem substep_of(const Problem& whole, int substeps) {
   Problem p = whole;
-  const double finer = 1 / std::sqrt(static_cast<double>(parts));
-  p.dt /= parts;
+  const double finer = 1 / std::sqrt(static_cast<double>(substeps));
+  p.dt /= substeps;
   for (double* scale :
        {&p.sigma_0, &p.splitting.sigma_max, &p.merging.sigma_max, &p.merging.tolerance})
     *scale *= finer;
@@ -172,7 +172,7 @@ Problem in_parts_of(const Problem& whole, int parts) {
 Wake start(Blobs& blobs, const Problem& p) {
   // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
   // step.
-  const double dt = p.dt / parts_of(p, 1);
+  const double dt = p.dt / substeps_of(p, 1);
   return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * dt)) : Wake{};
 }
 
@@ -219,14 +219,14 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tre
 }  // namespace
 
 Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::Phase& phase) {
-  const int parts = parts_of(whole, number);
-  if (parts == 1) return step_in_one(blobs, whole, number, phase);
-  Problem p = in_parts_of(whole, parts);
+  const int substeps = substeps_of(whole, number);
+  if (substeps == 1) return step_in_one(blobs, whole, number, phase);
+  Problem p = substep_of(whole, substeps);
   Wake wake;
   Vec2 pressure;
-  for (int k = 0; k < parts; ++k) {
+  for (int k = 0; k < substeps; ++k) {
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
-    pressure += (1.0 / parts) * wake.pressure;
+    pressure += (1.0 / substeps) * wake.pressure;
     p.retired = wake.retired;
     p.time += p.dt;
   }

@@ -39,7 +39,7 @@ struct Flow {
 /// box       blobs that leave it are retired; so are those of no more circulation than `faintest`
 ///           [m^2/s], 0: none; `retired` all that have left in the steps before
 /// wall      nullptr: free space
-/// most_blobs  a step that leaves more of them, or a part of a step, throws Multiplied
+/// most_blobs  a step that leaves more of them, or a substep, throws Multiplied
 /// carrying_cores  of a blob's core, that with which it carries others: 1, or sqrt(2), which in the
 ///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
 ///           averaged over its own core, and the energy of free space is conserved too
@@ -98,7 +98,7 @@ Wake start(Blobs& blobs, const Problem& problem);
 
 /// One step of length dt: half the diffusion, convection, the other half, release of wall
 /// vorticity, splitting, merging. Beside a wall the first steps, from number 1, are done in 8, 4, 2
-/// and 2 parts of dt, with cores and mergers as much finer: an impulsive start changes the flow as
+/// and 2 substeps, with cores and mergers as much finer: an impulsive start changes the flow as
 /// fast as it is young.
 /// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const tree::Phase& phase);
