@@ -203,11 +203,11 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tre
   }
   if (spreads) {
     phase("split");
-    Parts parts = split_apart(blobs, p.splitting, shape, number);
+    AdaptedBlobs adapted = split_apart(blobs, p.splitting, shape, number);
     phase("merge");
-    merge_close(parts, p.merging);
-    if (parts.all.size() > p.most_blobs) throw Multiplied(parts.all.size());
-    blobs = settled(parts, shape);
+    merge_close(adapted, p.merging);
+    if (adapted.all.size() > p.most_blobs) throw Multiplied(adapted.all.size());
+    blobs = pack(adapted, shape);
   }
   wake.retired = p.retired;
   if (p.box) wake.retired = wake.retired + retire(blobs, *p.box);

@@ -123,9 +123,9 @@ TEST_CASE("beyond where cores widen, wider blobs stay whole, and more of them me
       for (int j = 0; j < 40; ++j)
         blobs.append({0.5 + distance + 0.01 * scale * i, 0.01 * scale * (j - 20)},
                      1e-4 * scale * scale, 0.02 * scale);
-    vortex::Parts parts = split_apart(blobs, splitting, wall.get(), 1);
-    merge_close(parts, merging);
-    return parts.all.size();
+    vortex::AdaptedBlobs adapted = split_apart(blobs, splitting, wall.get(), 1);
+    merge_close(adapted, merging);
+    return adapted.all.size();
   };
   CHECK(left(81, 1) < 0.3 * left(0.45, 1));
   CHECK(left(800, 1) < 10);

@@ -14,7 +14,7 @@ Vec2 unit(Vec2 a) {
 
 /// What lies beside the wall of both, the second's share added to the first's. Tilt is that of
 /// acting positions.
-void merge_at_wall(Part& p, const Part& q, double w, Covariance& spread, Vec2& normal,
+void merge_at_wall(AdaptedBlob& p, const AdaptedBlob& q, double w, Covariance& spread, Vec2& normal,
                    std::span<AtWall> at_wall) {
   const std::uint32_t slot = p.at_wall != no_wall ? p.at_wall : q.at_wall;
   const AtWall& other = at_wall[q.at_wall != no_wall ? q.at_wall : slot];
@@ -31,7 +31,7 @@ void merge_at_wall(Part& p, const Part& q, double w, Covariance& spread, Vec2& n
 
 }  // namespace
 
-void merge(Part& p, const Part& q, std::span<AtWall> at_wall) {
+void merge(AdaptedBlob& p, const AdaptedBlob& q, std::span<AtWall> at_wall) {
   const double gamma = p.gamma + q.gamma, w = gamma != 0 ? p.gamma / gamma : 0.5;
   const Vec2 apart = p.centre() - q.centre();
   Vec2 axis{1, 0};
@@ -108,19 +108,19 @@ MergeWindow::Set MergeWindow::pair_up() {
   return first;
 }
 
-void MergeWindow::look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
-                          const Limits& limits) {
-  const Vec2 first = parts[members[0]].centre();
+void MergeWindow::look_at(std::span<const std::uint32_t> members,
+                          std::span<const AdaptedBlob> adapted, const Limits& limits) {
+  const Vec2 first = adapted[members[0]].centre();
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const Part& p = parts[members[i]];
+    const AdaptedBlob& p = adapted[members[i]];
     traits_.put(i, limits.units, p.centre() - first, std::abs(p.gamma), p.square, p.widening);
   }
 }
 
-std::size_t MergeWindow::merge(std::span<std::uint32_t> members, std::span<Part> parts,
+std::size_t MergeWindow::merge(std::span<std::uint32_t> members, std::span<AdaptedBlob> adapted,
                                std::span<AtWall> at_wall, const Limits& limits) {
-  const Vec2 first_place = parts[members[0]].centre();
-  look_at(members, parts, limits);
+  const Vec2 first_place = adapted[members[0]].centre();
+  look_at(members, adapted, limits);
   error_.fill(never);
   partner_.fill(nobody);
   chose_ = 0;
@@ -131,8 +131,8 @@ std::size_t MergeWindow::merge(std::span<std::uint32_t> members, std::span<Part>
     const Set first = pair_up();
     if (first == 0) break;
     for_each(first, [&](Number i) {
-      Part& p = parts[members[i]];
-      merge_kernel::merge(p, parts[members[partner_[i]]], at_wall);
+      AdaptedBlob& p = adapted[members[i]];
+      merge_kernel::merge(p, adapted[members[partner_[i]]], at_wall);
       traits_.put(i, limits.units, p.centre() - first_place, std::abs(p.gamma), p.square,
                   p.widening);
     });

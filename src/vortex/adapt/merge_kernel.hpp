@@ -88,7 +88,7 @@ struct Traits {
   V x, y, gamma, square, inverse_cube, widening2;
 };
 
-/// Error of merging a with b, and where merge_close.hpp allows it but for the tolerance: for parts
+/// Error of merging a with b, and where merge_close.hpp allows it but for the tolerance: for blobs
 /// of like sign, whose gamma are both given as positive.
 template <class V>
 struct Price {
@@ -159,7 +159,7 @@ struct MergeColumns {
   }
 };
 
-/// Parts that look for partners together, one a lane.
+/// Blobs that look for partners together, one a lane.
 template <class V>
 class Seekers {
  public:
@@ -209,7 +209,7 @@ class Seekers {
   std::size_t size_ = 0;
 };
 
-/// The partner of part `own` among the candidates in runs of columns, a vector of them at a time;
+/// The partner of blob `own` among the candidates in runs of columns, a vector of them at a time;
 /// the same as Seekers choose, but for candidates beyond a run's end, which count, too. Columns
 /// must go on for a vector's more places, whose x is `never`.
 class LoneSeeker {
@@ -239,14 +239,14 @@ class LoneSeeker {
   MergeChoice least_;
 };
 
-/// Like signed parts that merge among each other, at most so many at once.
+/// Like signed blobs that merge among each other, at most so many at once.
 class MergeWindow {
  public:
   static constexpr std::size_t most = 32;
 
-  /// Merges pairs of mutual choice until there is none. `members` are numbers of parts; those that
+  /// Merges pairs of mutual choice until there is none. `members` are numbers of blobs; those that
   /// are left come first, in their order, and are counted.
-  std::size_t merge(std::span<std::uint32_t> members, std::span<Part> parts,
+  std::size_t merge(std::span<std::uint32_t> members, std::span<AdaptedBlob> adapted,
                     std::span<AtWall> at_wall, const Limits& limits);
 
  private:
@@ -254,7 +254,7 @@ class MergeWindow {
   using Number = std::uint8_t;
   static constexpr Number nobody = 0xff;
 
-  void look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
+  void look_at(std::span<const std::uint32_t> members, std::span<const AdaptedBlob> adapted,
                const Limits& limits);
   void choose(const Limits& limits);
   void offer();
@@ -267,6 +267,6 @@ class MergeWindow {
 };
 
 /// Merges q into p.
-void merge(Part& p, const Part& q, std::span<AtWall> at_wall);
+void merge(AdaptedBlob& p, const AdaptedBlob& q, std::span<AtWall> at_wall);
 
 }  // namespace vortree::vortex::merge_kernel

@@ -44,7 +44,7 @@ void split_wide(Blobs& blobs, const Splitting& splitting, const body::Shape* wal
 
 /// The same for what is to be merged next: children keep the acting positions that they are to
 /// have.
-Parts split_apart(const Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
-                  std::uint64_t step);
+AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
+                         std::uint64_t step);
 
 }  // namespace vortree::vortex

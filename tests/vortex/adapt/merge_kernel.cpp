@@ -119,17 +119,17 @@ TEST_CASE("one who seeks alone finds what one who seeks with others finds") {
 TEST_CASE("a window leaves no pair that may merge, and conserves what pairs conserve") {
   MergeWindow window;
   const Blobs before = cloud(640);
-  Parts parts = loosened(before, nullptr);
+  AdaptedBlobs adapted = unpack(before, nullptr);
   Blobs after;
   for (std::uint32_t first = 0; first < before.size(); first += MergeWindow::most) {
     std::array<std::uint32_t, MergeWindow::most> members;
     std::iota(members.begin(), members.end(), first);
-    const std::size_t left = window.merge(members, parts.all, {}, limits);
+    const std::size_t left = window.merge(members, adapted.all, {}, limits);
     REQUIRE(left < MergeWindow::most);
     REQUIRE(std::is_sorted(members.begin(), members.begin() + left));
     Blobs kept;
     for (std::uint32_t i : std::span(members).first(left)) {
-      const Part& p = parts.all[i];
+      const AdaptedBlob& p = adapted.all[i];
       kept.append(p.centre(), p.gamma, std::sqrt(p.square));
       after.append(p.centre(), p.gamma, std::sqrt(p.square));
     }
@@ -144,7 +144,8 @@ TEST_CASE("a window leaves no pair that may merge, and conserves what pairs cons
 TEST_CASE("a merger beside the wall keeps mean and mean square of the distance, and all spread") {
   std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, false}, {{0, 0.3}, {0, 1}, false}};
   const double w = 0.25, v = 0.75, both = w * v;
-  Part p{0, 1, 1, 0.04, {0.002, 0.001}, 0, 1}, away{2, 1.4, 3, 0.08, {0, -0.003}, 1, 1}, q = away;
+  AdaptedBlob p{0, 1, 1, 0.04, {0.002, 0.001}, 0, 1}, away{2, 1.4, 3, 0.08, {0, -0.003}, 1, 1},
+      q = away;
   merge(p, q, at_wall);
   CHECK(p.gamma == 4);
   CHECK(p.x == Approx(1.5));
