@@ -49,7 +49,7 @@ double sheet_circulation(const Blobs& blobs, const Problem& p) {
   return -total(blobs.gamma) - p.retired.gamma - of_body(p);
 }
 
-fmm::Sources as_sources(const Blobs& blobs, const Acting& at) {
+fmm::Sources as_sources(const Blobs& blobs, const FoldedBlobs& at) {
   return {at.x, at.y, blobs.gamma, at.sigma};
 }
 
@@ -59,13 +59,13 @@ fmm::Options at_points(fmm::Options sums) {
   return sums;
 }
 
-/// Velocity of the blobs at their acting positions, with stream and wall; and its gradient, if
+/// Velocity of the blobs at their folded centroids, with stream and wall; and its gradient, if
 /// wanted, without the sheet's.
-Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2 stream,
+Velocities carrying(const Blobs& blobs, const FoldedBlobs& at, const Problem& p, Vec2 stream,
                     Gradients* gradients) {
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
-  Acting carrying = at;
+  FoldedBlobs carrying = at;
   if (p.carrying_cores != 1)
     for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
   const fmm::Sources sources = as_sources(blobs, carrying);
@@ -96,7 +96,7 @@ struct AtRest {
 
 /// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
 /// blobs and sheet together.
-AtRest with_sheet(tree::Points points, const Blobs& blobs, const Acting& at, const Problem& p,
+AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
                   Vec2 stream) {
   AtRest result{{}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
@@ -123,7 +123,7 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
 }
 
 Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
-  const Acting at = acting(blobs, &p.wall->shape());
+  const FoldedBlobs at = fold(blobs, &p.wall->shape());
   Wake wake;
   const WakeLine line =
       dot(p.flow.stream, p.flow.stream) > 0 ? wake_line(*p.wall, p.flow.stream) : WakeLine{};
@@ -189,7 +189,7 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tre
   if (spreads) spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
   convect(
       blobs,
-      [&](const Blobs& b, const Acting& at, double after, Gradients* gradients) {
+      [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* gradients) {
         return carrying(b, at, p, p.flow.stream_at(p.time + after), gradients);
       },
       shape, p.scheme, p.dt, strains);
@@ -235,7 +235,7 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
 }
 
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p) {
-  const Acting at = acting(blobs, p.wall ? &p.wall->shape() : nullptr);
+  const FoldedBlobs at = fold(blobs, p.wall ? &p.wall->shape() : nullptr);
   const Vec2 stream = p.flow.stream_at(p.time);
   if (p.wall) return with_sheet(points, blobs, at, p, stream).u;
   Velocities u(points.size());

@@ -118,7 +118,7 @@ TEST_CASE("an impulsively started cylinder's drag is that of short times to 2 %,
 TEST_CASE("by the direct sum the flow past a cylinder stays its own mirror image, without lift") {
   const Run& run = by_direct_sum();
   const auto shape = body::circle({}, 0.5);
-  const Blobs blobs = test::acting_there(run.blobs, shape.get());
+  const Blobs blobs = test::folded_there(run.blobs, shape.get());
   CHECK(test::apart(blobs, test::mirrored(blobs)) < 1e-8);  // on the wall, the root of round-off
   for (int k = 1; k <= steps; ++k) {
     CAPTURE(k);

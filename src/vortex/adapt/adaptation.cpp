@@ -34,10 +34,10 @@ namespace {
 Placed pack(const AdaptedBlob& p, Vec2 offset, const body::Shape& wall) {
   const body::WallPoint w = wall.nearest(p.centre());
   Covariance v = p.core().covariance(w.normal);
-  const Vec2 acting = p.centre() + offset;
-  const double m = wall.distance(acting);
+  const Vec2 centroid = p.centre() + offset;
+  const double m = wall.distance(centroid);
   v.nn = std::max(v.nn + w.distance * w.distance - m * m, 0.01 * p.square);
-  return place_acting({acting, core_of(v, w.normal)}, &wall);
+  return unfold({centroid, core_of(v, w.normal)}, &wall);
 }
 
 }  // namespace

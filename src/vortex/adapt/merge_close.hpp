@@ -35,7 +35,7 @@ struct Crowded : std::runtime_error {
 ///
 /// d = |x_1 - x_2|. The left side is the moment that the pair and the merged blob differ in;
 /// divided by sigma^3 it is the velocity error at a distance of a core. Conserves circulation,
-/// impulse and second moment. Next to a wall x is the acting position; what the pair spreads along
+/// impulse and second moment. Next to a wall x is the folded centroid; what the pair spreads along
 /// the wall stays in the covariance, so that merging along it diffuses nothing away from it; there
 /// a merger may pass sigma_max a little.
 ///

@@ -13,7 +13,7 @@ Vec2 unit(Vec2 a) {
 }
 
 /// What lies beside the wall of both, the second's share added to the first's. Tilt is that of
-/// acting positions.
+/// folded centroids.
 void merge_at_wall(AdaptedBlob& p, const AdaptedBlob& q, double w, Covariance& spread, Vec2& normal,
                    std::span<AtWall> at_wall) {
   const std::uint32_t slot = p.at_wall != no_wall ? p.at_wall : q.at_wall;
@@ -22,8 +22,9 @@ void merge_at_wall(AdaptedBlob& p, const AdaptedBlob& q, double w, Covariance& s
   const Vec2 offset_q = q.at_wall != no_wall ? at_wall[q.at_wall].offset : Vec2{};
   normal = unit(at_wall[slot].normal + other.normal);
   const Vec2 tangent{-normal.y, normal.x};
-  const Vec2 apart = p.centre() - q.centre(), acting = apart + offset_p - offset_q;
-  spread = {dot(normal, apart) * dot(normal, apart), dot(normal, acting) * dot(tangent, acting),
+  const Vec2 apart = p.centre() - q.centre(), folded_apart = apart + offset_p - offset_q;
+  spread = {dot(normal, apart) * dot(normal, apart),
+            dot(normal, folded_apart) * dot(tangent, folded_apart),
             dot(tangent, apart) * dot(tangent, apart)};
   at_wall[slot] = {w * offset_p + (1 - w) * offset_q, normal, true};
   p.at_wall = slot;

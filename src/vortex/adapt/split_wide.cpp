@@ -178,7 +178,7 @@ void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
   // Mirror images of parents have mirror images of children, in their order.
   const double along = std::copysign(std::sqrt((behind - lean * tilt) / c.share), parent.gamma);
   const std::array<double, 4> aside{along, -along, 0, 0};
-  const Placed as_one = acting_blob(parent.centre(), parent.core(), &wall);
+  const Placed as_one = fold(parent.centre(), parent.core(), &wall);
   const Vec2 foot = parent.centre() - w.distance * w.normal;
   Covariance own = Core{child2, deviator.kept}.covariance(w.normal);
   own.nt = std::clamp(own.nt + v.nt - tilt, -0.9 * std::sqrt(own.nn * own.tt),

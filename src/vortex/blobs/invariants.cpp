@@ -37,7 +37,7 @@ struct InvariantSums {
 
 }  // namespace
 
-Invariants invariants(const Blobs& blobs, const Acting& at) {
+Invariants invariants(const Blobs& blobs, const FoldedBlobs& at) {
   const InvariantSums all = ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
     InvariantSums sums;
     for (std::size_t i = first; i < last; ++i) {
@@ -53,7 +53,7 @@ Invariants invariants(const Blobs& blobs, const Acting& at) {
 }
 
 Invariants invariants(const Blobs& blobs, const body::Shape* wall) {
-  return invariants(blobs, acting(blobs, wall));
+  return invariants(blobs, fold(blobs, wall));
 }
 
 }  // namespace vortree::vortex

@@ -155,7 +155,7 @@ TEST_CASE("a merger beside the wall keeps mean and mean square of the distance, 
   CHECK(merged.nn + 1.3 * 1.3 ==
         Approx(w * (0.02 - 0.002 + 1 * 1) + v * (0.04 + 1.4 * 1.4)).epsilon(1e-14));
   CHECK(merged.tt == Approx(w * (0.02 + 0.002) + v * 0.04 + both * 2 * 2).epsilon(1e-14));
-  // Along the wall is -x; the tilt is that of acting positions, 0.6 apart.
+  // Along the wall is -x; the tilt is that of folded centroids, 0.6 apart.
   CHECK(merged.nt == Approx(w * -0.001 + v * 0.003 + both * 0.6 * -2).epsilon(1e-14));
   CHECK(at_wall[0].moved);
 }

@@ -81,7 +81,7 @@ TEST_CASE("stream and sheet leave the body's interior at rest") {
 
 TEST_CASE("a vortex and its sheet leave the interior at rest, to second order in the panels") {
   const Complex z0 = std::polar(0.8, 2.0);
-  const vortex::Acting at{{z0.real()}, {z0.imag()}, {0.01}};
+  const vortex::FoldedBlobs at{{z0.real()}, {z0.imag()}, {0.01}};
   const std::vector<double> one{1.0};
   const auto inside = [&](int panels) {
     const Wall wall = wall_of(panels);
