@@ -61,14 +61,14 @@ fmm::Options at_points(fmm::Options sums) {
 
 /// Velocity of the blobs at their folded centroids, with stream and wall; and its gradient, if
 /// wanted, without the sheet's.
-Velocities carrying(const Blobs& blobs, const FoldedBlobs& at, const Problem& p, Vec2 stream,
-                    Gradients* gradients) {
+Velocities advecting_velocity(const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
+                              Vec2 stream, Gradients* gradients) {
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
-  FoldedBlobs carrying = at;
-  if (p.carrying_cores != 1)
-    for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
-  const fmm::Sources sources = as_sources(blobs, carrying);
+  FoldedBlobs advecting = at;
+  if (p.advecting_cores != 1)
+    for (double& sigma : advecting.sigma) sigma *= p.advecting_cores;
+  const fmm::Sources sources = as_sources(blobs, advecting);
   const tree::Points samples = p.wall ? p.wall->samples() : tree::Points{};
   const fmm::Plan plan(sources, p.sums);
   if (gradients) {
@@ -190,7 +190,7 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tre
   convect(
       blobs,
       [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* gradients) {
-        return carrying(b, at, p, p.flow.stream_at(p.time + after), gradients);
+        return advecting_velocity(b, at, p, p.flow.stream_at(p.time + after), gradients);
       },
       shape, p.scheme, p.dt, strains);
   if (spreads)

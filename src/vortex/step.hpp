@@ -40,7 +40,7 @@ struct Flow {
 ///           [m^2/s], 0: none; `retired` all that have left in the steps before
 /// wall      nullptr: free space
 /// most_blobs  a step that leaves more of them, or a substep, throws Multiplied
-/// carrying_cores  of a blob's core, that with which it carries others: 1, or sqrt(2), which in the
+/// advecting_cores  of a blob's core, that with which it advects others: 1, or sqrt(2), which in the
 ///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
 ///           averaged over its own core, and the energy of free space is conserved too
 /// sums      how velocities are summed
@@ -52,7 +52,7 @@ struct Problem {
   double time = 0;
   flow::Scheme scheme = flow::Scheme::rk2;
   std::size_t most_blobs = 20'000'000;
-  double carrying_cores = 1;
+  double advecting_cores = 1;
   double sigma_0;
   Diffusion diffusion = Diffusion::core_spreading;
   double area = 0;

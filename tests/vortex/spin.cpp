@@ -39,7 +39,7 @@ vortex::Setup spinning(double rate, Vec2 centre = {}) {
   constexpr double nu = 0.01, dt = 0.02;
   vortex::Setup made{.problem = {.flow = {{}, nu, {}, {rate}},
                                  .dt = dt,
-                                 .carrying_cores = std::numbers::sqrt2,
+                                 .advecting_cores = std::numbers::sqrt2,
                                  .sigma_0 = std::sqrt(2 * nu * dt),
                                  .splitting = {.sigma_max = std::sqrt(8 * nu * dt)},
                                  .merging = {.tolerance = 0.04,

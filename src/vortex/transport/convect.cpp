@@ -41,8 +41,8 @@ void add(Velocities& sum, double weight, const Velocities& u) {
 
 }  // namespace
 
-void convect(Blobs& blobs, const Carrying& velocity, const body::Shape* wall, flow::Scheme scheme,
-             double dt, bool strains) {
+void convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
+             flow::Scheme scheme, double dt, bool strains) {
   const FoldedBlobs from = fold(blobs, wall);
   Gradients gradients;
   const auto moved = [&](const Velocities& u, double h) {

@@ -40,7 +40,7 @@ vortex::Problem inviscid(const fmm::Options& velocity, double dt) {
   return {.flow = {{}, 0},
           .dt = dt,
           .scheme = flow::Scheme::rk4,
-          .carrying_cores = std::numbers::sqrt2,
+          .advecting_cores = std::numbers::sqrt2,
           .sigma_0 = 1,
           .splitting = {1},
           .merging = {.tolerance = 0, .sigma_max = 1},

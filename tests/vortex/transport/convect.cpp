@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-vortex::Carrying direct_sum(fmm::Cores cores, Vec2 stream = {}) {
+vortex::AdvectingVelocity direct_sum(fmm::Cores cores, Vec2 stream = {}) {
   return [=](const Blobs& blobs, const FoldedBlobs& at, double, vortex::Gradients*) {
     vortex::Velocities u(blobs.size());
     velocity_direct({at.x, at.y, blobs.gamma, at.sigma}, {at.x, at.y, at.sigma}, cores, u.u, u.v);
@@ -31,7 +31,7 @@ Blobs pair(double gamma1, double gamma2, double sigma1, double sigma2) {
   return blobs;
 }
 
-Blobs carried(Blobs blobs, const vortex::Carrying& velocity, Scheme scheme, double time,
+Blobs carried(Blobs blobs, const vortex::AdvectingVelocity& velocity, Scheme scheme, double time,
               int steps) {
   for (int k = 0; k < steps; ++k) convect(blobs, velocity, nullptr, scheme, time / steps);
   return blobs;
@@ -66,8 +66,8 @@ TEST_CASE("two blobs of unlike cores turn about each other: rk2 errs as dt^2, rk
 
 TEST_CASE("a stream alone carries blobs straight, whatever the step") {
   const Blobs blobs = test::cloud(10, 0.1, 0.2);
-  const vortex::Carrying stream = [](const Blobs& b, const FoldedBlobs&, double,
-                                     vortex::Gradients*) {
+  const vortex::AdvectingVelocity stream = [](const Blobs& b, const FoldedBlobs&, double,
+                                              vortex::Gradients*) {
     vortex::Velocities u(b.size());
     for (double& a : u.u) a = 2;
     for (double& a : u.v) a = -1;
@@ -115,8 +115,8 @@ TEST_CASE("past a wall the folded centroid is what moves, and no centre enters t
   blobs.append({0.51, 0}, 1, 0.02);
   blobs.append({-0.505, 0}, 1, 0.02);
   const FoldedBlobs before = fold(blobs, wall.get());
-  const vortex::Carrying right = [](const Blobs& b, const FoldedBlobs&, double,
-                                    vortex::Gradients*) {
+  const vortex::AdvectingVelocity right = [](const Blobs& b, const FoldedBlobs&, double,
+                                             vortex::Gradients*) {
     vortex::Velocities u(b.size());
     for (double& a : u.u) a = 1;
     return u;
