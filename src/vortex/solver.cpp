@@ -33,11 +33,11 @@ constexpr std::pair<const char*, std::vector<double> Blobs::*> hidden[] = {
     {"covariance_xx", &Blobs::xx}, {"covariance_xy", &Blobs::xy}};
 
 /// Numbers of what has left, with their names in a saved state.
-constexpr std::pair<const char*, double& (*)(Retired&)> of_retired[] = {
-    {"retired circulation", [](Retired& r) -> double& { return r.gamma; }},
-    {"retired moment_x", [](Retired& r) -> double& { return r.moment.x; }},
-    {"retired moment_y", [](Retired& r) -> double& { return r.moment.y; }},
-    {"retired of_both_signs", [](Retired& r) -> double& { return r.of_both_signs; }}};
+constexpr std::pair<const char*, double& (*)(Outflow&)> of_outflow[] = {
+    {"retired circulation", [](Outflow& r) -> double& { return r.gamma; }},
+    {"retired moment_x", [](Outflow& r) -> double& { return r.moment.x; }},
+    {"retired moment_y", [](Outflow& r) -> double& { return r.moment.y; }},
+    {"retired of_both_signs", [](Outflow& r) -> double& { return r.of_both_signs; }}};
 
 /// Numbers of a wake, likewise.
 constexpr std::pair<const char*, double& (*)(Wake&)> of_wake[] = {
@@ -101,7 +101,7 @@ void VortexSolver::step(const tree::Phase& phase) {
   phase("output");
   if (const std::string reason = broken(blobs_, setup_, later); !reason.empty()) give_up(reason);
   ++steps_;
-  problem.retired = wake.retired;
+  problem.outflow = wake.outflow;
   problem.time = later;
   take(std::move(wake));
   drift_ = std::max(drift_, drift_now());
@@ -118,9 +118,9 @@ flow::Columns VortexSolver::columns() const {
 flow::Measures VortexSolver::measure() const {
   const Invariants now = invariants(blobs_, shape());
   const Flow& flow = setup_.problem.flow;
-  double circulation = now.circulation + wake_.retired.gamma;
+  double circulation = now.circulation + wake_.outflow.gamma;
   if (flow.spin.rate != 0) circulation += flow.spin.circulation(wall()->area());
-  Vec2 moment = wall() ? wake_.moment : now.moment + wake_.retired.moment;
+  Vec2 moment = wall() ? wake_.moment : now.moment + wake_.outflow.moment;
   // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
   const Vec2 from = wall() ? Vec2{} : origin();
   const bool elsewhere = dot(from, from) > 0;
@@ -203,13 +203,13 @@ std::vector<double> VortexSolver::frame_rows() const {
 
 /// Of all vorticity of both signs, what has left the box.
 double VortexSolver::share_gone() const {
-  const double gone = setup_.problem.retired.of_both_signs;
+  const double gone = setup_.problem.outflow.of_both_signs;
   return gone > 0 ? gone / (gone + strength(blobs_)) : 0;
 }
 
 flow::Closing VortexSolver::closing() const {
   if (!setup_.box) return {};
-  const Retired& gone = setup_.problem.retired;
+  const Outflow& gone = setup_.problem.outflow;
   return {{{"left_box.circulation", "L^2/T", gone.gamma},
            {"left_box.of_both_signs", "L^2/T", gone.of_both_signs},
            {"left_box.share", "", share_gone()}},
@@ -224,7 +224,7 @@ void VortexSolver::save(flow::State& state) const {
     state["y_in_flow"] = blobs_.y;
   }
   for (const auto& [name, column] : hidden) state[name] = blobs_.*column;
-  save_numbers(state, of_retired, setup_.problem.retired);
+  save_numbers(state, of_outflow, setup_.problem.outflow);
   state["second_moment_at_start"] = {second_moment_at_start_};
   state["largest_drift"] = {drift_};
   if (!wall()) return;
@@ -242,11 +242,11 @@ void VortexSolver::restore(long steps, const flow::Columns& columns, const flow:
             elsewhere ? flow::saved(state, "y_in_flow") : flow::column(columns, "y"),
             flow::column(columns, "gamma"), flow::column(columns, "sigma")};
   for (const auto& [name, column] : hidden) blobs_.*column = flow::saved(state, name);
-  restore_numbers(state, of_retired, problem.retired);
+  restore_numbers(state, of_outflow, problem.outflow);
   second_moment_at_start_ = flow::saved_number(state, "second_moment_at_start");
   drift_ = flow::saved_number(state, "largest_drift");
   wake_ = {};
-  wake_.retired = problem.retired;
+  wake_.outflow = problem.outflow;
   if (wall()) {
     restore_numbers(state, of_wake, wake_);
     wake_.sheet = flow::saved(state, "sheet");

@@ -46,7 +46,7 @@ void add_body(Velocities& u, tree::Points at, double circulation) {
 
 /// Of all sheets, that which leaves no circulation in fluid and body together.
 double sheet_circulation(const Blobs& blobs, const Problem& p) {
-  return -total(blobs.gamma) - p.retired.gamma - of_body(p);
+  return -total(blobs.gamma) - p.outflow.gamma - of_body(p);
 }
 
 fmm::Sources as_sources(const Blobs& blobs, const FoldedBlobs& at) {
@@ -130,7 +130,7 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   AtRest at_rest = with_sheet(line.points(), blobs, at, p, p.flow.stream_at(time));
   wake.sheet = std::move(at_rest.sheet);
   wake.bubble_length = bubble_length(line, at_rest.u);
-  wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.retired.moment;
+  wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.outflow.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
   wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
@@ -209,10 +209,10 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tre
     if (adapted.all.size() > p.most_blobs) throw Multiplied(adapted.all.size());
     blobs = pack(adapted, shape);
   }
-  wake.retired = p.retired;
-  if (p.box) wake.retired = wake.retired + retire(blobs, *p.box);
-  if (p.faintest > 0) wake.retired = wake.retired + retire(blobs, p.faintest);
-  wake.retired.drift(p.flow.way(p.time, p.dt));
+  wake.outflow = p.outflow;
+  if (p.box) wake.outflow = wake.outflow + remove_outside(blobs, *p.box);
+  if (p.faintest > 0) wake.outflow = wake.outflow + remove_faint(blobs, p.faintest);
+  wake.outflow.drift(p.flow.way(p.time, p.dt));
   return wake;
 }
 
@@ -227,7 +227,7 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
   for (int k = 0; k < substeps; ++k) {
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
     pressure += (1.0 / substeps) * wake.pressure;
-    p.retired = wake.retired;
+    p.outflow = wake.outflow;
     p.time += p.dt;
   }
   wake.pressure = pressure;

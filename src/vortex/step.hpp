@@ -36,12 +36,12 @@ struct Flow {
 /// What a step needs to know, besides the blobs.
 ///
 /// time      when the step begins; for velocity_at, now [s]
-/// box       blobs that leave it are retired; so are those of no more circulation than `faintest`
-///           [m^2/s], 0: none; `retired` all that have left in the steps before
+/// box       blobs that leave it are taken away; so are those of no more circulation than
+///           `faintest` [m^2/s], 0: none; `outflow` all that have left in the steps before
 /// wall      nullptr: free space
 /// most_blobs  a step that leaves more of them, or a substep, throws Multiplied
-/// advecting_cores  of a blob's core, that with which it advects others: 1, or sqrt(2), which in the
-///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
+/// advecting_cores  of a blob's core, that with which it advects others: 1, or sqrt(2), which in
+///           the mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
 ///           averaged over its own core, and the energy of free space is conserved too
 /// sums      how velocities are summed
 /// sigma_0   core of blobs released at the wall, or of those that exchange circulation [m]
@@ -60,12 +60,12 @@ struct Problem {
   Merging merging;
   std::optional<Box> box{};
   double faintest = 0;
-  Retired retired{};
+  Outflow outflow{};
   const Wall* wall = nullptr;
   fmm::Options sums;
 };
 
-/// What one step leaves beside the blobs; but for `retired`, empty without a wall.
+/// What one step leaves beside the blobs; but for `outflow`, empty without a wall.
 ///
 /// sheet           released at the end of the step [m/s], a value a panel
 /// moment          sum gamma X of blobs, sheet and what has left, before the release; forces
@@ -75,14 +75,14 @@ struct Problem {
 ///                 [m^3/s^2] (motion.hpp)
 /// friction        the same, at the end of the step
 /// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
-/// retired         all that has left the box, to be handed to the next step
+/// outflow         all that has left the box, to be handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
   std::vector<double> wall_vorticity;
   Vec2 pressure, friction;
   double bubble_length = 0;
-  Retired retired{};
+  Outflow outflow{};
 };
 
 /// Blobs multiply faster than they merge: more than Problem::most_blobs.
