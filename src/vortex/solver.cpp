@@ -125,8 +125,8 @@ flow::Measures VortexSolver::measure() const {
   const Vec2 from = wall() ? Vec2{} : origin();
   const bool elsewhere = dot(from, from) > 0;
   if (elsewhere) moment = moment + circulation * from;
-  const Form form = wall() ? Form{} : vortex::form(blobs_);
-  const Vec2 plus = wall() ? Vec2{} : form.positive_centre;
+  const Moments moments = wall() ? Moments{} : vortex::moments(blobs_);
+  const Vec2 plus = wall() ? Vec2{} : moments.positive_centre;
   const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && flow.plunge.frequency == 0 &&
                     flow.spin.rate == 0;
   return {
@@ -138,10 +138,10 @@ flow::Measures VortexSolver::measure() const {
       {"bubble_length", "", wake ? wake_.bubble_length / setup_.scales.length : 0},
       {"separation_deg", "deg",
        wake ? separation_angle(wake_.wall_vorticity, *wall(), flow.stream) : 0},
-      {"quadrupole_xx", "L^4/T", form.quadrupole.x},
-      {"quadrupole_xy", "L^4/T", form.quadrupole.y},
-      {"separation", "L", form.separation},
-      {"circulation_plus", "L^2/T", form.positive},
+      {"quadrupole_xx", "L^4/T", moments.quadrupole.x},
+      {"quadrupole_xy", "L^4/T", moments.quadrupole.y},
+      {"separation", "L", moments.separation},
+      {"circulation_plus", "L^2/T", moments.positive},
       {"plus_x", "L", elsewhere ? plus.x + from.x : plus.x},
       {"plus_y", "L", elsewhere ? plus.y + from.y : plus.y},
   };
