@@ -21,7 +21,7 @@ AdaptedBlobs unpack(const Blobs& blobs, const body::Shape* wall) {
     const Core core = blobs.core(i);
     adapted.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], core.square, core.deviator,
                       no_wall,    1};
-    if (!wall || wall->distance(blobs.centre(i)) >= folded::reach * widest(core)) continue;
+    if (!wall || wall->distance(blobs.centre(i)) >= folded::support * widest(core)) continue;
     adapted.all[i].at_wall = static_cast<std::uint32_t>(adapted.at_wall.size());
     adapted.at_wall.push_back(beside(wall->nearest(blobs.centre(i)), core));
   }

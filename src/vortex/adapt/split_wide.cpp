@@ -112,7 +112,7 @@ struct Mean {
   double value, slope;
 
   explicit Mean(double q) : value(std::abs(q)), slope(std::copysign(1.0, q)) {
-    if (value >= folded::reach) return;
+    if (value >= folded::support) return;
     const folded::Profile p = folded::profile(q);
     value = p.mean;
     slope = p.erf;
@@ -221,16 +221,16 @@ struct Places {
     const double alpha = splitting.alpha;
     const bool coarsens = wall && !splitting.coarsening.everywhere_alike();
     // A child of those beyond is no nearer than it reaches.
-    const double reach_of_split =
-        std::max(folded::reach, folded::reach * alpha + 1.5 * std::sqrt(1 - alpha * alpha));
+    const double support_of_split =
+        std::max(folded::support, folded::support * alpha + 1.5 * std::sqrt(1 - alpha * alpha));
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = vortex::widest(blobs.core(i));
-      const bool near = wall && !wall->beyond(blobs.centre(i), reach_of_split * s);
+      const bool near = wall && !wall->beyond(blobs.centre(i), support_of_split * s);
       const double distance = near || coarsens ? wall->distance(blobs.centre(i)) : INFINITY;
       if (coarsens) widening[i] = splitting.coarsening.widening(distance);
       const bool splits = blobs.sigma[i] > widest * widening[i];
-      const bool folds = distance < (splits ? reach_of_split : folded::reach) * s;
+      const bool folds = distance < (splits ? support_of_split : folded::support) * s;
       children[i + 1] = !splits ? 1 : folds ? children_at_wall : splitting.children;
       at_wall[i + 1] = folds ? children[i + 1] : 0;
     }

@@ -15,7 +15,7 @@ struct Beside {
   Covariance core{};
 
   Beside(Vec2 at, const Core& own, const body::Shape* shape) {
-    if (!shape || shape->beyond(at, folded::reach * widest(own))) return;
+    if (!shape || shape->beyond(at, folded::support * widest(own))) return;
     wall = shape->nearest(at);
     core = own.covariance(wall.normal);
     reached = folded::applies(wall.distance, sigma());

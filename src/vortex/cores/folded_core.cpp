@@ -7,7 +7,7 @@
 namespace vortree::vortex::folded {
 namespace {
 
-constexpr int per_core = 64, nodes = per_core * static_cast<int>(reach) + 1, terms = 10;
+constexpr int per_core = 64, nodes = per_core * static_cast<int>(support) + 1, terms = 10;
 constexpr double past_nodes = (nodes - 0.5) / per_core;
 using Taylor = std::array<double, terms>;
 
@@ -103,7 +103,7 @@ double depth(double second, double m, double on_wall, double kappa) {
   const double start = 0.75 * (std::sqrt(square * square + 8.0 / 3 * fallen) - square);
   double q = std::max(std::sqrt(start), 1e-5);
   if (q > 0.6) q = std::sqrt(0.5 / (second - 1));
-  for (int k = 0; k < 20 && q < reach; ++k) {
+  for (int k = 0; k < 20 && q < support; ++k) {
     b = bend(m / Bent(q, b).mean, kappa);
     const auto [mean, rise] = Bent(q, b);
     const double ratio = (0.5 + q * q) / (mean * mean);
@@ -123,7 +123,7 @@ Gaussian place_with_variance(double m, double v_n, double kappa) {
   const double on_wall = place(m, 2 * m / inverse_sqrt_pi, convex).s;
   if (square >= on_wall * on_wall / 2 - 1e-9 * m * m) return place(m, on_wall, kappa);
   const double q = depth(square / (m * m), m, on_wall, convex);
-  const double s = q < reach ? std::sqrt(square / (0.5 + q * q)) : std::sqrt(2 * v_n);
+  const double s = q < support ? std::sqrt(square / (0.5 + q * q)) : std::sqrt(2 * v_n);
   return place(m, s, kappa);
 }
 
