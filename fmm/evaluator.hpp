@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "fmm/blobs.hpp"
 #include "fmm/losses/expected.hpp"
+#include "fmm/sources.hpp"
 #include "tree/build/quadtree.hpp"
 
 namespace vortree::fmm {
@@ -23,10 +23,10 @@ struct Work {
   bool bare_in_floats = false, cored_in_floats = false;
 };
 
-/// Blobs that own their values.
-struct BlobColumns {
+/// Sources that own their values.
+struct SourceColumns {
   std::vector<double> x, y, gamma, sigma;  // sigma is empty if all are bare
-  [[nodiscard]] Blobs view() const { return {x, y, gamma, sigma}; }
+  [[nodiscard]] Sources view() const { return {x, y, gamma, sigma}; }
 };
 
 /// The gradient may be wrong by so many tolerances where it comes with the velocity.
@@ -53,7 +53,7 @@ class Evaluator {
   [[nodiscard]] virtual Work work() const = 0;
   [[nodiscard]] virtual std::size_t bytes() const = 0;
   /// What it was made for, in input order; cores as they are summed.
-  [[nodiscard]] virtual BlobColumns blobs() const = 0;
+  [[nodiscard]] virtual SourceColumns sources() const = 0;
 };
 
 }  // namespace vortree::fmm

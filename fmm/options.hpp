@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <string_view>
 
-#include "fmm/blobs.hpp"
 #include "fmm/geometry/arrangement.hpp"
+#include "fmm/sources.hpp"
 #include "tree/build/quadtree.hpp"
 
 namespace vortree::fmm {
@@ -13,7 +11,7 @@ namespace vortree::fmm {
 /// fmm     multipoles and local expansions: O(n)
 /// boxes   multipoles straight to the targets: O(n log n); every source's core is guarded by itself
 /// direct  every pair summed, to round-off: O(n^2); tolerance, order and tree do not matter
-enum class Method { fmm, boxes, direct };
+enum class SumMethod { fmm, boxes, direct };
 
 /// tolerance      what the user is promised (Plan), in (0, 1)
 /// order          terms of a series, 1 .. 200; 0: chosen by tolerance for every distance of cells.
@@ -27,16 +25,13 @@ struct Options {
   int finest_level = tree::max_level;
   Builder builder = Builder::reverse;
   Cores cores = Cores::source;
-  Method method = Method::fmm;
+  SumMethod method = SumMethod::fmm;
 };
 
 /// Single precision is exact enough: its errors are a tenth of the tolerance.
 [[nodiscard]] inline bool coarse(const Options& options) {
   return options.order == 0 && options.tolerance >= 1e-6;
 }
-
-/// Told the name of a part of the work as it begins, for whoever keeps the time.
-using Phase = std::function<void(std::string_view)>;
 
 /// Sums of doubles are as exact as so much of the norm of all sums of |contributions|: some
 /// roundings, of 2^-53 each, of each of them.

@@ -53,27 +53,27 @@ void refuse_unfit(const std::string& complaint) {
 }
 
 /// method   what was asked for; overwritten by what is taken
-std::unique_ptr<const Evaluator> make_sums(const Blobs& blobs, const Units& units,
-                                           const Options& options, const Phase& phase,
-                                           Method& method) {
-  if (method == Method::direct) return std::make_unique<PairSums>(blobs, options, phase);
-  if (method == Method::fmm) {
-    auto full = std::make_unique<Adaptive>(blobs, units, options, phase);
+std::unique_ptr<const Evaluator> make_sums(const Sources& sources, const Units& units,
+                                           const Options& options, const tree::Phase& phase,
+                                           SumMethod& method) {
+  if (method == SumMethod::direct) return std::make_unique<PairSums>(sources, options, phase);
+  if (method == SumMethod::fmm) {
+    auto full = std::make_unique<Adaptive>(sources, units, options, phase);
     if (full->serves()) return full;
-    method = Method::boxes;
+    method = SumMethod::boxes;
   }
-  return std::make_unique<Boxes>(blobs, units, options, phase);
+  return std::make_unique<Boxes>(sources, units, options, phase);
 }
 
 }  // namespace
 
-Plan::Plan(const Blobs& blobs, const Options& options, const Phase& phase)
-    : size_(blobs.size()), options_(options), phase_(phase), method_(options.method) {
+Plan::Plan(const Sources& sources, const Options& options, const tree::Phase& phase)
+    : size_(sources.size()), options_(options), phase_(phase), method_(options.method) {
   check(options);
-  units_ = check(blobs);
-  cores_unfit_ = {complain_of_cores(blobs.sigma, units_, false),
-                  complain_of_cores(blobs.sigma, units_, true)};
-  sums_ = make_sums(blobs, units_, options, phase, method_);
+  units_ = check(sources);
+  cores_unfit_ = {complain_of_cores(sources.sigma, units_, false),
+                  complain_of_cores(sources.sigma, units_, true)};
+  sums_ = make_sums(sources, units_, options, phase, method_);
 }
 
 /// Sums, and where that cancels so far that the tolerance is not kept, sums again with more terms
@@ -86,9 +86,9 @@ void Plan::settle(Sum sum) const {
     const double finer = finer_tolerance(options, options_.tolerance, expected);
     if (!(finer < options.tolerance)) break;
     options.tolerance = finer;
-    const BlobColumns blobs = sums_->blobs();
-    Method method = options_.method;
-    expected = sum(*make_sums(blobs.view(), Units::of(blobs.view()), options, phase_, method));
+    const SourceColumns sources = sums_->sources();
+    SumMethod method = options_.method;
+    expected = sum(*make_sums(sources.view(), Units::of(sources.view()), options, phase_, method));
   }
 }
 

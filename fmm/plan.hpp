@@ -7,10 +7,11 @@
 #include <span>
 #include <string>
 
-#include "fmm/blobs.hpp"
 #include "fmm/evaluator.hpp"
 #include "fmm/geometry/units.hpp"
 #include "fmm/options.hpp"
+#include "fmm/sources.hpp"
+#include "tree/base/phase.hpp"
 #include "tree/build/quadtree.hpp"
 
 namespace vortree::fmm {
@@ -29,20 +30,20 @@ namespace vortree::fmm {
 ///          done again with more terms, in doubles, at the price of a new plan of the same blobs
 ///          (tests/fmm/losses/cancelling.cpp). round_off is what doubles cannot do better.
 ///          Cells meet by series only where no core shows any more: gap >= sqrt(S ln(1/tolerance)).
-/// method   Method::fmm in O(n). Where wide cores lie among narrow ones, so that most cells would
-///          have to meet point by point, it gives way to Method::boxes, which guards every source
-///          by itself.
+/// method   SumMethod::fmm in O(n). Where wide cores lie among narrow ones, so that most cells
+///          would have to meet point by point, it gives way to SumMethod::boxes, which guards every
+///          source by itself.
 /// threads  OpenMP; results are the same bit for bit for any number of threads
 /// source   Carrier, Greengard & Rokhlin, SIAM J. Sci. Stat. Comput. 9 (1988);
 ///          Huang, Huang, Xu & Hu, Thermal Science 16 (2012)
 class Plan {
  public:
-  /// phase   told "tree", "upward", and with Method::fmm "far"; then "near" (fmm, direct) or
+  /// phase   told "tree", "upward", and with SumMethod::fmm "far"; then "near" (fmm, direct) or
   ///         "evaluate" (boxes) as each sum begins
   /// cost    the blobs are copied
   /// throws  std::invalid_argument for blobs as check() does, and for options out of range; every
   ///         sum also for results that over- or underflow in the units of the input
-  Plan(const Blobs& blobs, const Options& options, const Phase& phase = {});
+  Plan(const Sources& sources, const Options& options, const tree::Phase& phase = {});
 
   /// At the blobs themselves.
   /// u, v    as many as blobs [m/s], in their input order; overwritten
@@ -52,7 +53,7 @@ class Plan {
   ///
   /// error   ||u|| as velocity(u, v); the gradient's ||.||_2 <= 10 tolerance
   ///         (tests/fmm/together.cpp)
-  /// cost    of blobs with cores by Method::fmm 1.6 times velocity(u, v); else as both, in turn
+  /// cost    of blobs with cores by SumMethod::fmm 1.6 times velocity(u, v); else as both, in turn
   void velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
                              std::span<double> uy, std::span<double> vx) const;
 
@@ -72,7 +73,7 @@ class Plan {
   /// ux, uy, vx   du/dx, du/dy, dv/dx, as many as targets [1/s]; overwritten
   /// targets      may be the blobs; r = 0 contributes the rotation of the core, nothing if bare
   /// error        ||.||_2 of all four as for the velocity        (tests/fmm/field/derivatives.cpp)
-  /// cost         O(n + m) with Method::fmm, O(m log n) with Method::boxes, else O(m n)
+  /// cost         O(n + m) with SumMethod::fmm, O(m log n) with SumMethod::boxes, else O(m n)
   void gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
                 std::span<double> vx) const;
 
@@ -92,10 +93,10 @@ class Plan {
 
   [[nodiscard]] std::size_t size() const { return size_; }
   /// What sums: Options::method, unless it gave way.
-  [[nodiscard]] Method method() const { return method_; }
+  [[nodiscard]] SumMethod method() const { return method_; }
   /// The most terms of any series.
   [[nodiscard]] int order() const { return sums_->order(); }
-  /// Empty by Method::direct.
+  /// Empty by SumMethod::direct.
   [[nodiscard]] const tree::Quadtree& tree() const { return sums_->tree(); }
   /// What velocity(u, v) computes, counted by walking again.
   [[nodiscard]] Work work() const { return sums_->work(); }
@@ -110,8 +111,8 @@ class Plan {
   Units units_;
   std::array<std::string, 2> cores_unfit_;  // for a gradient, for a stream function
   Options options_;
-  Phase phase_;
-  Method method_;
+  tree::Phase phase_;
+  SumMethod method_;
   std::unique_ptr<const Evaluator> sums_;
 };
 

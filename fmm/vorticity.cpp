@@ -75,9 +75,9 @@ Peaks find_peaks(const Arrangement& at, std::span<const double> gamma, const Uni
   return peaks;
 }
 
-void check_door(const Blobs& blobs, const Targets& targets, std::span<const double> omega,
+void check_door(const Sources& sources, const Targets& targets, std::span<const double> omega,
                 double tolerance) {
-  check(blobs);
+  check(sources);
   check(targets);
   if (omega.size() != targets.size()) {
     throw std::invalid_argument("omega has " + std::to_string(omega.size()) +
@@ -90,16 +90,17 @@ void check_door(const Blobs& blobs, const Targets& targets, std::span<const doub
 
 }  // namespace
 
-void vorticity(const Blobs& blobs, tree::Points targets, std::span<double> omega,
+void vorticity(const Sources& sources, tree::Points targets, std::span<double> omega,
                double tolerance) {
   const Targets places{targets.x, targets.y, {}};
-  check_door(blobs, places, omega, tolerance);
+  check_door(sources, places, omega, tolerance);
   std::ranges::fill(omega, 0.0);
-  if (blobs.size() == 0 || blobs.sigma.empty()) return;
-  const Units units = Units::of(blobs);
-  const Arrangement sources = arrange({blobs.x, blobs.y, blobs.sigma}, units, {vorticity_capacity});
+  if (sources.size() == 0 || sources.sigma.empty()) return;
+  const Units units = Units::of(sources);
+  const Arrangement arranged =
+      arrange({sources.x, sources.y, sources.sigma}, units, {vorticity_capacity});
   const Arrangement at = arrange(places, units, {vorticity_capacity});
-  const Peaks peaks = find_peaks(sources, blobs.gamma, units);
+  const Peaks peaks = find_peaks(arranged, sources.gamma, units);
   const double per_unit = units.per_length / units.per_gamma * units.per_length;
   const auto leaves = at.tree.childless();
 #pragma omp parallel

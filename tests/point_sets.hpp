@@ -5,9 +5,9 @@
 namespace vortree::test {
 
 using bench::every_kind;
-using bench::Kind;
 using bench::kind_names;
 using bench::make_points;
+using bench::PointKind;
 using bench::PointSet;
 using bench::Uniform;
 

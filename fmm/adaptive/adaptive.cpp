@@ -16,10 +16,10 @@ double leaf_size(const Options& options) {
   return options.tolerance < fine_tolerance ? even_leaf_fine : even_leaf;
 }
 
-Options resolve(Options options, const Blobs& blobs) {
+Options resolve(Options options, const Sources& sources) {
   if (options.capacity == 0) {
     options.capacity =
-        blobs.sigma.empty() ? static_cast<std::uint32_t>(2 * leaf_size(options)) : cored_capacity;
+        sources.sigma.empty() ? static_cast<std::uint32_t>(2 * leaf_size(options)) : cored_capacity;
   }
   options.tolerance = std::max(options.tolerance, least_tolerance);
   return options;
@@ -37,20 +37,20 @@ double stretch(double side, double wished) {
   return std::exp2(std::ceil(std::log2(ratio))) / ratio;
 }
 
-void tell(const Phase& phase, const char* name) {
+void tell(const tree::Phase& phase, const char* name) {
   if (phase) phase(name);
 }
 
 }  // namespace
 
-Adaptive::Adaptive(const Blobs& blobs, const Units& units, const Options& options,
-                   const Phase& phase)
-    : options_(resolve(options, blobs)),
+Adaptive::Adaptive(const Sources& sources, const Units& units, const Options& options,
+                   const tree::Phase& phase)
+    : options_(resolve(options, sources)),
       phase_(phase),
       units_(units),
       order_(choose_order(options_)) {
   tell(phase_, "tree");
-  grow(blobs);
+  grow(sources);
   list();
   if (!serves_) return;
   leaf_runs_ = LeafRuns(leaves_);
@@ -67,17 +67,18 @@ Adaptive::Adaptive(const Blobs& blobs, const Units& units, const Options& option
 
 /// The domain is stretched so that evenly spread points fill childless cells to the optimum, or, if
 /// cores reach farther than such a cell, so that cells of a level just hold that reach.
-void Adaptive::grow(const Blobs& blobs) {
-  tree::Domain domain = tree::enclose({blobs.x, blobs.y});
+void Adaptive::grow(const Sources& sources) {
+  tree::Domain domain = tree::enclose({sources.x, sources.y});
   double widest = 0.0;
-  for (const double sigma : blobs.sigma) widest = std::max(widest, sigma);
+  for (const double sigma : sources.sigma) widest = std::max(widest, sigma);
   const double reach = widest * std::sqrt(core_reach2(options_.tolerance)) * (1 + 1e-9);
   const double even =
-      domain.side * std::sqrt(leaf_size(options_) / std::max<double>(1.0, blobs.size()));
+      domain.side * std::sqrt(leaf_size(options_) / std::max<double>(1.0, sources.size()));
   domain = tree::enlarge(domain, stretch(domain.side, std::max(even, reach)));
-  tree::MortonOrder order = tree::morton_order({blobs.x, blobs.y}, domain, options_.finest_level);
+  tree::MortonOrder order =
+      tree::morton_order({sources.x, sources.y}, domain, options_.finest_level);
   base_ = build(std::move(order), tree::crowded(options_.capacity), options_.builder);
-  const Unwritten<Vortex> vortices = side_by_side(blobs, units_);
+  const Unwritten<Vortex> vortices = side_by_side(sources, units_);
   tree_ = DeepTree(base_, vortices, units_, options_.capacity,
                    options_.finest_level == tree::max_level);
   leaves_ = Leaves(tree_, vortices, widest > 0.0, coarse(options_) ? single_count : lane_count);
@@ -134,9 +135,9 @@ FarErrors Adaptive::far_errors(int derivative) const {
                     far_);
 }
 
-BlobColumns Adaptive::blobs() const {
+SourceColumns Adaptive::sources() const {
   const auto order = tree_.order();
-  BlobColumns all;
+  SourceColumns all;
   for (auto* column : {&all.x, &all.y, &all.gamma}) column->resize(order.size());
   if (leaves_.cored()) all.sigma.resize(order.size());
   std::size_t j = 0;
@@ -174,7 +175,7 @@ Work Adaptive::work() const {
 }
 
 std::size_t Adaptive::bytes() const {
-  const std::size_t per_point = sizeof(tree::Key) + sizeof(std::uint32_t);
+  const std::size_t per_point = sizeof(tree::MortonKey) + sizeof(std::uint32_t);
   return per_point * base_.order().size() + base_.cells().size_bytes() + tree_.bytes() +
          leaves_.bytes() + lists_.bytes() +
          std::visit([](const auto& far) { return far.bytes(); }, far_);

@@ -16,6 +16,7 @@
 #include "fmm/near/near.hpp"
 #include "fmm/options.hpp"
 #include "fmm/series/lattice_order.hpp"
+#include "tree/base/phase.hpp"
 
 namespace vortree::fmm {
 
@@ -30,7 +31,8 @@ namespace vortree::fmm {
 class Adaptive final : public Evaluator {
  public:
   /// phase   told "tree", "upward", "far", and "near" at each sum
-  Adaptive(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase);
+  Adaptive(const Sources& sources, const Units& units, const Options& options,
+           const tree::Phase& phase);
 
   /// False if so many cells refuse to meet by series, because of cores, that their points had
   /// better be guarded one by one. Then there are no sums.
@@ -51,7 +53,7 @@ class Adaptive final : public Evaluator {
   [[nodiscard]] const tree::Quadtree& tree() const override { return base_; }
   [[nodiscard]] Work work() const override;
   [[nodiscard]] std::size_t bytes() const override;
-  [[nodiscard]] BlobColumns blobs() const override;
+  [[nodiscard]] SourceColumns sources() const override;
 
  private:
   template <std::size_t sums>
@@ -63,7 +65,7 @@ class Adaptive final : public Evaluator {
   struct Groups;
   using Far = std::variant<FarField<double>, FarField<float>>;
 
-  void grow(const Blobs& blobs);
+  void grow(const Sources& sources);
   void list();
   [[nodiscard]] std::size_t size() const { return tree_.order().size(); }
   [[nodiscard]] double near_pairs() const;
@@ -102,7 +104,7 @@ class Adaptive final : public Evaluator {
                     Elsewhere& found) const;
 
   Options options_;
-  Phase phase_;
+  tree::Phase phase_;
   Units units_;
   LatticeOrder order_;
   tree::Quadtree base_;

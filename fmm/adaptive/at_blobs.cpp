@@ -89,9 +89,9 @@ void Adaptive::add_far(tree::Range leaf_run, const Sums<sums>& to) const {
           for (const std::uint32_t c : lists_.w(leaf)) far.m2p(stage(), c, at);
           if constexpr (sums == slope_sums) {
             const FieldTargets slopes = slopes_of(leaves_, leaf, to);
-            Gradient{}.add_local(far.view_local(own), tree_.frame(own), own, slopes);
+            FieldGradient{}.add_local(far.view_local(own), tree_.frame(own), own, slopes);
             for (const std::uint32_t c : lists_.w(leaf)) {
-              Gradient{}.add_multipole(far.view_multipole(c), tree_.frame(c), slopes);
+              FieldGradient{}.add_multipole(far.view_multipole(c), tree_.frame(c), slopes);
             }
           }
         }
@@ -111,7 +111,7 @@ void Adaptive::add_near(tree::Range leaf_run, Scratch<sums>& scratch, const Sums
       scratch.cored.add(leaf, places, scratch.runs, to);
     } else if constexpr (slopes) {
       scratch.take_sources(leaves_);
-      Gradient{}.add_bare(scratch.sources, slopes_of(leaves_, leaf, to));
+      FieldGradient{}.add_bare(scratch.sources, slopes_of(leaves_, leaf, to));
     }
   }
 }

@@ -83,7 +83,7 @@ Expected Adaptive::gradient(const Targets& targets, std::span<double> ux, std::s
   if (phase_) phase_("near");
   const FarErrors errors(stage(), far, order, 1);
   const Expected expected =
-      evaluate_field(Gradient{}, far, errors, targets, {uy.data(), ux.data(), vx.data()});
+      evaluate_field(FieldGradient{}, far, errors, targets, {uy.data(), ux.data(), vx.data()});
   units_.check_range(expected.found, ux.size(), 1);
   finish_gradient(units_, ux, uy, vx);
   return expected;

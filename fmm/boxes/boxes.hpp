@@ -8,6 +8,7 @@
 #include "fmm/geometry/units.hpp"
 #include "fmm/options.hpp"
 #include "tree/base/memory.hpp"
+#include "tree/base/phase.hpp"
 
 namespace vortree::fmm {
 
@@ -19,7 +20,8 @@ namespace vortree::fmm {
 class Boxes final : public Evaluator {
  public:
   /// phase   told "tree", "upward", and "evaluate" at each sum
-  Boxes(const Blobs& blobs, const Units& units, const Options& options, const Phase& phase);
+  Boxes(const Sources& sources, const Units& units, const Options& options,
+        const tree::Phase& phase);
 
   Expected velocity(std::span<double> u, std::span<double> v) const override;
   Expected velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
@@ -33,10 +35,10 @@ class Boxes final : public Evaluator {
   Expected stream_function(const Targets& targets, std::span<double> psi) const override;
 
   [[nodiscard]] int order() const override { return order_.most(); }
-  [[nodiscard]] const tree::Quadtree& tree() const override { return blobs_.tree; }
+  [[nodiscard]] const tree::Quadtree& tree() const override { return sources_.tree; }
   [[nodiscard]] Work work() const override;
   [[nodiscard]] std::size_t bytes() const override;
-  [[nodiscard]] BlobColumns blobs() const override;
+  [[nodiscard]] SourceColumns sources() const override;
 
  private:
   [[nodiscard]] TreeOptions growth() const;
@@ -51,10 +53,10 @@ class Boxes final : public Evaluator {
                        std::span<double> v) const;
 
   Options options_;
-  Phase phase_;
+  tree::Phase phase_;
   Units units_;
   SeriesOrder order_;
-  Arrangement blobs_;
+  Arrangement sources_;
   Reals gamma_;
   Multipoles multipoles_;
 };

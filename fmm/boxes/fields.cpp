@@ -17,7 +17,7 @@ Expected Boxes::evaluate_field(const Field& field, const SeriesOrder& order, con
                                std::array<double*, 3> results) const {
   const std::size_t n = at.points.size();
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(results[s], n, 0.0);
-  if (n == 0 || blobs_.points.size() == 0) return {};
+  if (n == 0 || sources_.points.size() == 0) return {};
   Acceptance accepted = acceptance(cored(at));
   accepted.order = order;
   if (accepted.reach2 > 0.0) accepted.reach2 = Field::reach2(options_.tolerance);
@@ -40,15 +40,15 @@ Expected Boxes::evaluate_field(const Field& field, const SeriesOrder& order, con
         sums[s].assign(batch.x.size(), 0.0);
         some.sums[s] = sums[s].data();
       }
-      find_interactions(blobs_.tree, blobs_.shapes, around, accepted, root, found);
+      find_interactions(sources_.tree, sources_.shapes, around, accepted, root, found);
       for (const SeriesCell met : found.series) {
-        const CellFrame frame{blobs_.shapes.x[met.cell], blobs_.shapes.y[met.cell], 0.0, 0.0,
-                              scale(blobs_.shapes, met.cell)};
+        const CellFrame frame{sources_.shapes.x[met.cell], sources_.shapes.y[met.cell], 0.0, 0.0,
+                              scale(sources_.shapes, met.cell)};
         field.add_multipole(SeriesView<double>{multipoles_.real(met.cell),
                                                multipoles_.imaginary(met.cell), met.terms},
                             frame, some);
       }
-      near.pack(blobs_.points, gamma_, around, accepted, found);
+      near.pack(sources_.points, gamma_, around, accepted, found);
       near.sum(field, CoreShares(options_.cores), some);
       for (std::size_t s = 0; s < Field::count; ++s) {
         for (std::uint32_t j = own.first; j < own.last; ++j) {
@@ -72,7 +72,7 @@ Expected Boxes::gradient_at(const Arrangement& targets, std::span<double> ux, st
                                 ? order_
                                 : SeriesOrder::fixed(terms, slope_ratio(options_.tolerance, terms));
   const Expected expected =
-      evaluate_field(Gradient{}, order, targets, {uy.data(), ux.data(), vx.data()});
+      evaluate_field(FieldGradient{}, order, targets, {uy.data(), ux.data(), vx.data()});
   units_.check_range(expected.found, targets.points.size(), 1);
   finish_gradient(units_, ux, uy, vx);
   return expected;
@@ -87,7 +87,7 @@ Expected Boxes::velocity_and_gradient(std::span<double> u, std::span<double> v,
                                       std::span<double> ux, std::span<double> uy,
                                       std::span<double> vx) const {
   const Expected expected = velocity(u, v);
-  return worse(expected, gradient_at(blobs_, ux, uy, vx));
+  return worse(expected, gradient_at(sources_, ux, uy, vx));
 }
 
 Expected Boxes::stream_function(const Targets& targets, std::span<double> psi) const {

@@ -18,7 +18,7 @@ double log_square(double x, double y) {
 
 }  // namespace
 
-double Gradient::reach2(double tolerance) {
+double FieldGradient::reach2(double tolerance) {
   const double own = core_reach2(tolerance);
   return own + std::log1p(own + std::log1p(own));
 }

@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <span>
 
-#include "fmm/blobs.hpp"
 #include "fmm/cores/core_log_kernel.hpp"
 #include "fmm/geometry/deep_tree.hpp"
 #include "fmm/geometry/units.hpp"
 #include "fmm/near/packed.hpp"
 #include "fmm/series/power_series.hpp"
+#include "fmm/sources.hpp"
 
 namespace vortree::fmm {
 
@@ -40,7 +40,7 @@ struct CoreShares {
 ///         that shows; no digit is lost as r vanishes. Pairs of bare blobs at r = 0 contribute
 ///         nothing
 /// twin    tests/fmm/field/derivatives.cpp, in long double
-struct Gradient {
+struct FieldGradient {
   static constexpr std::size_t count = 3;
   static constexpr int derivative = 1;  // of f
 

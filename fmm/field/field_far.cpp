@@ -31,8 +31,8 @@ void add(double* sum, Lanes value) {
 }  // namespace
 
 template <class Number>
-void Gradient::add_multipole(const SeriesView<Number>& multipole, const CellFrame& at,
-                             const FieldTargets& targets) const {
+void FieldGradient::add_multipole(const SeriesView<Number>& multipole, const CellFrame& at,
+                                  const FieldTargets& targets) const {
   const PowerSeries slope = multipole_slope(multipole);
   const double per_side = 1.0 / at.side;
   in_frame(at, targets, [&]<int rows>(int first, const Complexes(&t)[rows]) {
@@ -49,8 +49,8 @@ void Gradient::add_multipole(const SeriesView<Number>& multipole, const CellFram
 }
 
 template <class Number>
-void Gradient::add_local(const SeriesView<Number>& local, const CellFrame& at, std::uint32_t,
-                         const FieldTargets& targets) const {
+void FieldGradient::add_local(const SeriesView<Number>& local, const CellFrame& at, std::uint32_t,
+                              const FieldTargets& targets) const {
   const PowerSeries slope = local_slope(local);
   const double per_side = 1.0 / at.side;
   in_frame(at, targets, [&]<int rows>(int first, const Complexes(&t)[rows]) {
@@ -91,10 +91,10 @@ void StreamFunction::add_local(const SeriesView<Number>& local, const CellFrame&
 using Doubles = SeriesView<double>;
 using Floats = SeriesView<float>;
 using At = const FieldTargets&;
-template void Gradient::add_multipole(const Doubles&, const CellFrame&, At) const;
-template void Gradient::add_multipole(const Floats&, const CellFrame&, At) const;
-template void Gradient::add_local(const Doubles&, const CellFrame&, std::uint32_t, At) const;
-template void Gradient::add_local(const Floats&, const CellFrame&, std::uint32_t, At) const;
+template void FieldGradient::add_multipole(const Doubles&, const CellFrame&, At) const;
+template void FieldGradient::add_multipole(const Floats&, const CellFrame&, At) const;
+template void FieldGradient::add_local(const Doubles&, const CellFrame&, std::uint32_t, At) const;
+template void FieldGradient::add_local(const Floats&, const CellFrame&, std::uint32_t, At) const;
 template void StreamFunction::add_multipole(const Doubles&, const CellFrame&, At) const;
 template void StreamFunction::add_multipole(const Floats&, const CellFrame&, At) const;
 template void StreamFunction::add_local(const Doubles&, const CellFrame&, std::uint32_t, At) const;

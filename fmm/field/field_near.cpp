@@ -15,13 +15,13 @@ void in_pairs(const PackedSources& sources, const FieldTargets& targets, Act act
 
 }  // namespace
 
-void Gradient::add_bare(const PackedSources& sources, const FieldTargets& targets) const {
+void FieldGradient::add_bare(const PackedSources& sources, const FieldTargets& targets) const {
   in_pairs(sources, targets,
            [&]<int rows>(std::size_t i) { gradient_bare<rows>(sources, targets, i); });
 }
 
-void Gradient::add_cored(const PackedSources& sources, CoreShares shares,
-                         const FieldTargets& targets) const {
+void FieldGradient::add_cored(const PackedSources& sources, CoreShares shares,
+                              const FieldTargets& targets) const {
   in_pairs(sources, targets,
            [&]<int rows>(std::size_t i) { gradient_cored<rows>(sources, shares, targets, i); });
 }

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <span>
 
-#include "fmm/blobs.hpp"
 #include "fmm/geometry/cells.hpp"
 #include "fmm/geometry/units.hpp"
+#include "fmm/sources.hpp"
 #include "tree/base/memory.hpp"
 #include "tree/build/quadtree.hpp"
 #include "tree/build/split_rule.hpp"

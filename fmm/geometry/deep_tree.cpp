@@ -40,7 +40,7 @@ CellFrame child_frame(const CellFrame& parent, int quadrant) {
 
 /// Codes of the first n vortices of the order, at most `encoded_deep`, in the frame of their cell.
 void encode_in(const CellFrame& at, std::span<const Vortex> vortices,
-               std::span<const std::uint32_t> order, std::size_t n, tree::Key* keys) {
+               std::span<const std::uint32_t> order, std::size_t n, tree::MortonKey* keys) {
   constexpr tree::kernel::DomainAxis axis{-0.5, 0.5, 0x1p31};
   std::array<double, encoded_deep> x, y;
   const auto local = [&](double value, double centre, double rest) {
@@ -51,7 +51,8 @@ void encode_in(const CellFrame& at, std::span<const Vortex> vortices,
     x[j] = local(vortices[order[j]].x, at.x, at.x_rest);
     y[j] = local(vortices[order[j]].y, at.y, at.y_rest);
   }
-  static_cast<void>(tree::kernel::codes(x.data(), y.data(), n, axis, axis, ~tree::Key{0}, keys));
+  static_cast<void>(
+      tree::kernel::codes(x.data(), y.data(), n, axis, axis, ~tree::MortonKey{0}, keys));
 }
 
 }  // namespace
@@ -76,7 +77,7 @@ DeepTree::DeepTree(const tree::Quadtree& base, std::span<const Vortex> vortices,
   set_frames(0, base.domain(), units);
   const Grafts grafts = deepen ? find_full(base, capacity) : Grafts{};
   if (grafts.cells.empty()) return;
-  const Unwritten<tree::Key> keys = sort(grafts, vortices);
+  const Unwritten<tree::MortonKey> keys = sort(grafts, vortices);
   append(grafts, tree::grow_forest(keys, grafts.runs, {capacity}, tree::pieces_of(keys.size())));
   set_frames(base.depth() + 1, base.domain(), units);
 }
@@ -137,8 +138,8 @@ DeepTree::Grafts DeepTree::find_full(const tree::Quadtree& base, std::uint32_t c
 }
 
 /// Puts the points of each graft in the order of their codes there, which are returned.
-Unwritten<tree::Key> DeepTree::sort(const Grafts& grafts, std::span<const Vortex> vortices) {
-  Unwritten<tree::Key> keys = encode(grafts, vortices);
+Unwritten<tree::MortonKey> DeepTree::sort(const Grafts& grafts, std::span<const Vortex> vortices) {
+  Unwritten<tree::MortonKey> keys = encode(grafts, vortices);
   const auto keys_of = [&](std::size_t g) {
     return std::span(keys).subspan(grafts.runs[g].first, grafts.runs[g].size());
   };
@@ -164,10 +165,10 @@ Unwritten<tree::Key> DeepTree::sort(const Grafts& grafts, std::span<const Vortex
 }
 
 /// Codes of points in the frames of their grafts.
-Unwritten<tree::Key> DeepTree::encode(const Grafts& grafts,
-                                      std::span<const Vortex> vortices) const {
+Unwritten<tree::MortonKey> DeepTree::encode(const Grafts& grafts,
+                                            std::span<const Vortex> vortices) const {
   const std::uint32_t n = grafts.points();
-  Unwritten<tree::Key> keys(n);
+  Unwritten<tree::MortonKey> keys(n);
 #pragma omp parallel for schedule(static) if (n > tree::deep_points_worth_sharing)
   for (std::uint32_t begin = 0; begin < n; begin += encoded_deep) {
     const std::uint32_t end = std::min(n, begin + encoded_deep);

@@ -58,9 +58,10 @@ class DeepTree {
   void take(const tree::Quadtree& base);
   void set_frames(int from, const tree::Domain& domain, const Units& units);
   [[nodiscard]] Grafts find_full(const tree::Quadtree& base, std::uint32_t capacity) const;
-  [[nodiscard]] Unwritten<tree::Key> sort(const Grafts& grafts, std::span<const Vortex> vortices);
-  [[nodiscard]] Unwritten<tree::Key> encode(const Grafts& grafts,
-                                            std::span<const Vortex> vortices) const;
+  [[nodiscard]] Unwritten<tree::MortonKey> sort(const Grafts& grafts,
+                                                std::span<const Vortex> vortices);
+  [[nodiscard]] Unwritten<tree::MortonKey> encode(const Grafts& grafts,
+                                                  std::span<const Vortex> vortices) const;
   void append(const Grafts& grafts, const tree::Assembly& forest);
 
   Unwritten<DeepCell> cells_;

@@ -39,10 +39,10 @@ double reciprocal(double size) {
 
 }  // namespace
 
-Units Units::of(const Blobs& blobs) {
-  const double size = std::max(extent(blobs.x), extent(blobs.y));
-  return {.per_length = reciprocal(size > 0.0 ? size : largest(blobs.sigma)),
-          .per_gamma = reciprocal(largest(blobs.gamma))};
+Units Units::of(const Sources& sources) {
+  const double size = std::max(extent(sources.x), extent(sources.y));
+  return {.per_length = reciprocal(size > 0.0 ? size : largest(sources.sigma)),
+          .per_gamma = reciprocal(largest(sources.gamma))};
 }
 
 void Units::finish_far(double all, std::span<const double> x, std::span<const double> y,

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "fmm/blobs.hpp"
+#include "fmm/sources.hpp"
 
 namespace vortree::fmm {
 
@@ -16,7 +16,7 @@ struct Units {
   double per_length = 1.0, per_gamma = 1.0;
 
   /// The units in which the extent of the blobs and their largest |gamma| are near one.
-  static Units of(const Blobs& blobs);
+  static Units of(const Sources& sources);
 
   [[nodiscard]] double position(double x) const {
     return std::clamp(x * per_length, -far_away, far_away);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fmm/blobs.hpp"
 #include "fmm/geometry/units.hpp"
+#include "fmm/sources.hpp"
 #include "tree/base/memory.hpp"
 
 namespace vortree::fmm {
@@ -15,6 +15,6 @@ struct alignas(32) Vortex {
 /// The blobs side by side, in input order.
 ///
 /// cost   O(n), 32 bytes a blob
-[[nodiscard]] Unwritten<Vortex> side_by_side(const Blobs& blobs, const Units& units);
+[[nodiscard]] Unwritten<Vortex> side_by_side(const Sources& sources, const Units& units);
 
 }  // namespace vortree::fmm

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "fmm/blobs.hpp"
 #include "fmm/geometry/cells.hpp"
 #include "fmm/series/order.hpp"
+#include "fmm/sources.hpp"
 #include "tree/build/quadtree.hpp"
 
 namespace vortree::fmm {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "fmm/blobs.hpp"
 #include "fmm/geometry/leaves.hpp"
 #include "fmm/mutual/mutual_core_kernel.hpp"
+#include "fmm/sources.hpp"
 #include "tree/base/memory.hpp"
 
 namespace vortree::fmm {

@@ -11,8 +11,8 @@ std::vector<double> copy(std::span<const double> values) {
 
 }  // namespace
 
-PairSums::PairSums(const Blobs& blobs, const Options& options, const Phase& phase)
-    : blobs_{copy(blobs.x), copy(blobs.y), copy(blobs.gamma), copy(blobs.sigma)},
+PairSums::PairSums(const Sources& sources, const Options& options, const tree::Phase& phase)
+    : sources_{copy(sources.x), copy(sources.y), copy(sources.gamma), copy(sources.sigma)},
       cores_(options.cores),
       phase_(phase) {}
 
@@ -30,38 +30,38 @@ Expected PairSums::velocity_and_gradient(std::span<double> u, std::span<double> 
 Expected PairSums::velocity(const Targets& targets, std::span<double> u,
                             std::span<double> v) const {
   tell();
-  velocity_direct(blobs_.view(), targets, cores_, u, v);
+  velocity_direct(sources_.view(), targets, cores_, u, v);
   return {};
 }
 
 Expected PairSums::velocity_bare(tree::Points targets, std::span<double> u,
                                  std::span<double> v) const {
   tell();
-  velocity_direct({blobs_.x, blobs_.y, blobs_.gamma, {}}, {targets.x, targets.y, {}}, Cores::source,
-                  u, v);
+  velocity_direct({sources_.x, sources_.y, sources_.gamma, {}}, {targets.x, targets.y, {}},
+                  Cores::source, u, v);
   return {};
 }
 
 Expected PairSums::gradient(const Targets& targets, std::span<double> ux, std::span<double> uy,
                             std::span<double> vx) const {
   tell();
-  gradient_direct(blobs_.view(), targets, cores_, ux, uy, vx);
+  gradient_direct(sources_.view(), targets, cores_, ux, uy, vx);
   return {};
 }
 
 Expected PairSums::stream_function(const Targets& targets, std::span<double> psi) const {
   tell();
-  stream_function_direct(blobs_.view(), targets, cores_, psi);
+  stream_function_direct(sources_.view(), targets, cores_, psi);
   return {};
 }
 
 Work PairSums::work() const {
-  const std::uint64_t n = blobs_.x.size();
-  return blobs_.sigma.empty() ? Work{.bare = n * n} : Work{.cored = n * n};
+  const std::uint64_t n = sources_.x.size();
+  return sources_.sigma.empty() ? Work{.bare = n * n} : Work{.cored = n * n};
 }
 
 std::size_t PairSums::bytes() const {
-  return sizeof(double) * (3 * blobs_.x.size() + blobs_.sigma.size());
+  return sizeof(double) * (3 * sources_.x.size() + sources_.sigma.size());
 }
 
 }  // namespace vortree::fmm

@@ -3,6 +3,7 @@
 #include "fmm/evaluator.hpp"
 #include "fmm/geometry/units.hpp"
 #include "fmm/options.hpp"
+#include "tree/base/phase.hpp"
 
 namespace vortree::fmm {
 
@@ -13,7 +14,7 @@ namespace vortree::fmm {
 class PairSums final : public Evaluator {
  public:
   /// phase   told "near" at each sum
-  PairSums(const Blobs& blobs, const Options& options, const Phase& phase);
+  PairSums(const Sources& sources, const Options& options, const tree::Phase& phase);
 
   Expected velocity(std::span<double> u, std::span<double> v) const override;
   Expected velocity_and_gradient(std::span<double> u, std::span<double> v, std::span<double> ux,
@@ -30,17 +31,17 @@ class PairSums final : public Evaluator {
   [[nodiscard]] const tree::Quadtree& tree() const override { return no_tree_; }
   [[nodiscard]] Work work() const override;
   [[nodiscard]] std::size_t bytes() const override;
-  [[nodiscard]] BlobColumns blobs() const override { return blobs_; }
+  [[nodiscard]] SourceColumns sources() const override { return sources_; }
 
  private:
-  [[nodiscard]] Targets themselves() const { return {blobs_.x, blobs_.y, blobs_.sigma}; }
+  [[nodiscard]] Targets themselves() const { return {sources_.x, sources_.y, sources_.sigma}; }
   void tell() const {
     if (phase_) phase_("near");
   }
 
-  BlobColumns blobs_;
+  SourceColumns sources_;
   Cores cores_;
-  Phase phase_;
+  tree::Phase phase_;
   tree::Quadtree no_tree_;
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 void check_count(std::vector<Verdict>& list, const Finished& run) {
   add(list, "blobs_max", run.scene.check.blobs_max, [&] {
-    const Column count = run.rows.column(run.solver.particle() + "s");
+    const Series count = run.rows.column(run.solver.particle() + "s");
     return run.rows.largest({}, [&](std::size_t r) { return count[r]; });
   });
 }

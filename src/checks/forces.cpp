@@ -10,9 +10,9 @@ namespace vortree::checks {
 namespace {
 
 /// A column of a reference between its entries; none outside them, and where cells are empty.
-class Known {
+class ReferenceCurve {
  public:
-  Known(const io::Table& reference, const char* column)
+  ReferenceCurve(const io::Table& reference, const char* column)
       : T_(reference.column("T")), values_(reference.column(column)) {}
 
   std::optional<double> at(double T) const {
@@ -21,12 +21,12 @@ class Known {
   }
 
  private:
-  Column T_, values_;
+  Series T_, values_;
 };
 
 /// How far a column of the report is off what is known, row by row.
-Value off(const HistoryRows& rows, const char* column, Known known,
-          double (*distance)(double, double)) {
+Deviation off(const HistoryRows& rows, const char* column, ReferenceCurve known,
+              double (*distance)(double, double)) {
   return [&rows, ours = rows.column(column), known = std::move(known),
           distance](std::size_t r) -> std::optional<double> {
     const auto value = known.at(rows.T()[r]);
@@ -39,8 +39,8 @@ double difference(double ours, double known) {
 }
 
 /// One route to a force against the other, as a share of the largest force.
-Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const Column& a,
-                     const Column& b) {
+Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const Series& a,
+                     const Series& b) {
   const Reached most = rows.largest(from, [&](std::size_t r) { return a[r]; });
   const Reached apart = rows.largest(from, [&](std::size_t r) { return a[r] - b[r]; });
   if (!most.value) return most;
@@ -50,7 +50,7 @@ Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const 
 /// Means, as the drag of a step jumps where blobs of one release all split.
 Reached early_drag_off(const Finished& run) {
   constexpr double end = 0.1 + 1e-9;
-  const Column &T = run.rows.T(), drag = run.rows.column("cd_impulse");
+  const Series &T = run.rows.T(), drag = run.rows.column("cd_impulse");
   if (T.empty() || T.back() < 0.1 - 1e-9) return run.rows.too_short();
   const double reynolds = run.scales.speed * *run.scene.body->radius / run.scene.flow.nu;
   double ours = 0, exact = 0;
@@ -68,7 +68,7 @@ void check_drag(std::vector<Verdict>& list, const Finished& run) {
   const io::CheckSettings& c = scene.check;
   if (!run.scales.body || !c.drag_reference) return;
   const io::Table reference(io::reference_path(scene, *c.drag_reference));
-  const Value drag = off(rows, "cd_impulse", {reference, "C_D"}, deviation);
+  const Deviation drag = off(rows, "cd_impulse", {reference, "C_D"}, deviation);
   add(list, "drag_max", c.drag_max, [&] { return rows.largest(c.drag_from, drag); });
   add(list, "drag_rms", c.drag_rms, [&] { return rows.rms(c.drag_from, drag); });
   add(list, "bubble_max", c.bubble_max, [&] {
@@ -90,7 +90,7 @@ void check_forces(std::vector<Verdict>& list, const Finished& run) {
   const io::Scene& scene = run.scene;
   const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
-  const Column impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
+  const Series impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
                lift = rows.column("cl_impulse"), wall_lift = rows.column("cl_wall");
   add(list, "routes_max", c.routes_max, [&] {
     if (scene.plunge) return routes_apart(rows, c.routes_from, impulse, wall);

@@ -21,7 +21,7 @@ void check_lamb_oseen(std::vector<Verdict>& list, const Finished& run) {
   const double t = rows.column("t").back();
   const auto [u0, v0] = scene.flow.stream;
   const Vec2 centre{scene.initial->centre[0] + t * u0, scene.initial->centre[1] + t * v0};
-  Column x, y, r, angle;
+  Series x, y, r, angle;
   for (int i = 0; i <= 80; ++i)
     for (int k = 0; k < 13; ++k) {
       r.push_back(0.05 * i * vortex.core_at(t));
@@ -30,7 +30,7 @@ void check_lamb_oseen(std::vector<Verdict>& list, const Finished& run) {
       y.push_back(centre.y + r.back() * std::sin(angle.back()));
     }
   const flow::Samples found = run.solver.sample({x, y});
-  Column vorticity_off, velocity_off;
+  Series vorticity_off, velocity_off;
   double fastest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double swirl = vortex.swirl(r[i], t);
@@ -53,10 +53,10 @@ void check_invariants(std::vector<Verdict>& list, const Finished& run) {
   const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
   if (!c.circulation_max && !c.impulse_max && !c.second_moment_max) return;
-  const Column gamma = rows.column("circulation"), x = rows.column("impulse_x"),
+  const Series gamma = rows.column("circulation"), x = rows.column("impulse_x"),
                y = rows.column("impulse_y"), second = rows.column("second_moment"),
                t = rows.column("t");
-  const Column plus = rows.column("circulation_plus");
+  const Series plus = rows.column("circulation_plus");
   const double length = scales.body ? scales.length : scene.initial ? scene.initial->core : 1;
   double unit = scales.body ? scales.speed * scales.length : std::max(std::abs(gamma[0]), plus[0]);
   if (unit == 0) unit = 1;
@@ -86,9 +86,9 @@ void check_invariants(std::vector<Verdict>& list, const Finished& run) {
 namespace {
 
 /// How far the major axis has turned since the start, at each row [rad].
-Column turned(const HistoryRows& rows) {
-  const Column xx = rows.column("quadrupole_xx"), xy = rows.column("quadrupole_xy");
-  Column angle(xx.size());
+Series turned(const HistoryRows& rows) {
+  const Series xx = rows.column("quadrupole_xx"), xy = rows.column("quadrupole_xy");
+  Series angle(xx.size());
   for (std::size_t r = 1; r < angle.size(); ++r)  // less than a quarter turn a step
     angle[r] = angle[r - 1] + 0.5 * std::atan2(xx[r - 1] * xy[r] - xy[r - 1] * xx[r],
                                                xx[r - 1] * xx[r] + xy[r - 1] * xy[r]);
@@ -104,7 +104,7 @@ void check_kirchhoff(std::vector<Verdict>& list, const Finished& run) {
   const flow::InitialSettings& i = *scene.initial;
   const exact::KirchhoffEllipse ellipse{i.circulation, i.core, i.number("core_across")};
   add(list, "rotation_max", scene.check.rotation_max, [&]() -> Reached {
-    const Column angle = turned(rows), t = rows.column("t");
+    const Series angle = turned(rows), t = rows.column("t");
     if (angle.size() < 2) return rows.too_short();
     return {std::abs(deviation(angle.back(), ellipse.rate() * (t.back() - t.front())))};
   });
@@ -126,7 +126,7 @@ void check_merger(std::vector<Verdict>& list, const Finished& run) {
   if (scene.check.exact != io::ExactAnswer::corotating_pair) return;
   const HistoryRows& rows = run.rows;
   add(list, "merger_max", scene.check.merger_max, [&]() -> Reached {
-    const Column t = rows.column("t"), apart = rows.column("separation");
+    const Series t = rows.column("t"), apart = rows.column("separation");
     const auto fallen = std::ranges::find_if(apart, [&](double b) { return b < 0.99 * apart[0]; });
     const bool whole = fallen == apart.end();
     const std::size_t r = whole ? apart.size() - 1 : fallen - apart.begin();
@@ -141,7 +141,7 @@ void check_dipole(std::vector<Verdict>& list, const Finished& run) {
   if (scene.check.exact != io::ExactAnswer::dipole) return;
   const HistoryRows& rows = run.rows;
   add(list, "speed_max", scene.check.speed_max, [&]() -> Reached {
-    const Column t = rows.column("t"), x = rows.column("plus_x"), y = rows.column("plus_y");
+    const Series t = rows.column("t"), x = rows.column("plus_x"), y = rows.column("plus_y");
     if (t.size() < 2) return rows.too_short();
     const double way = std::hypot(x.back() - x[0], y.back() - y[0]);
     const exact::VortexPair pair = pair_of(scene);
@@ -155,9 +155,9 @@ namespace {
 /// the reference's, as a share of the largest that its first column has been by the end.
 Reached moments_off(const HistoryRows& rows, const io::Table& reference,
                     std::initializer_list<const char*> columns) {
-  const Column t = reference.column("t"), ours = rows.column("t");
+  const Series t = reference.column("t"), ours = rows.column("t");
   if (ours.empty()) return rows.too_short();
-  Column off, size;
+  Series off, size;
   for (std::size_t row = 0; row < t.size() && t[row] <= ours.back() + 1e-9; ++row) {
     size.push_back(reference.column(*columns.begin())[row]);
     double squares = 0;
@@ -195,10 +195,10 @@ void check_energy(std::vector<Verdict>& list, const Finished& run) {
   const io::Scene& scene = run.scene;
   add(list, "energy_max", scene.check.energy_max, [&]() -> Reached {
     const io::Table table(run.folder / "energy.csv");
-    const Column t = table.column("t"), e = table.column("energy"), z = table.column("enstrophy");
+    const Series t = table.column("t"), e = table.column("energy"), z = table.column("enstrophy");
     if (t.size() < 2) return {.value = {}, .why = "energy.csv has not two rows"};
     double taken = 0;
-    Column off;
+    Series off;
     for (std::size_t r = 1; r < t.size(); ++r) {
       taken += scene.flow.nu * (t[r] - t[r - 1]) * (z[r] + z[r - 1]) / 2;
       off.push_back(share(e[r] - e[0] + taken, e[0]));

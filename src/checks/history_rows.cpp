@@ -7,7 +7,7 @@
 
 namespace vortree::checks {
 
-std::optional<double> interpolated(const Column& x, const Column& y, double at) {
+std::optional<double> interpolated(const Series& x, const Series& y, double at) {
   if (x.size() < 4 || at < x.front() - 1e-9 || at > x.back() + 1e-9) return std::nullopt;
   const auto above = std::ranges::upper_bound(x, at) - x.begin();
   const auto first = std::clamp<std::ptrdiff_t>(above - 2, 0, std::ssize(x) - 4);
@@ -29,7 +29,7 @@ double share(double part, double whole) {
   return whole == 0 ? part : part / whole;
 }
 
-double largest_of(const Column& values) {
+double largest_of(const Series& values) {
   double most = 0;
   for (const double value : values) {
     if (std::isnan(value)) return value;
@@ -44,9 +44,9 @@ Reached HistoryRows::too_short() const {
                             : fmt::format("the run ends at T = {:.6g}", T_.back())};
 }
 
-Reached HistoryRows::of_values(std::optional<double> from, const Value& value,
-                               const std::function<double(const Column&)>& number) const {
-  Column values;
+Reached HistoryRows::of_values(std::optional<double> from, const Deviation& value,
+                               const std::function<double(const Series&)>& number) const {
+  Series values;
   bool any = false;
   for (std::size_t r = 0; r < T_.size(); ++r) {
     if (T_[r] < from.value_or(0) - 1e-9) continue;
@@ -58,12 +58,12 @@ Reached HistoryRows::of_values(std::optional<double> from, const Value& value,
   return {.value = number(values)};
 }
 
-Reached HistoryRows::largest(std::optional<double> from, const Value& value) const {
+Reached HistoryRows::largest(std::optional<double> from, const Deviation& value) const {
   return of_values(from, value, largest_of);
 }
 
-Reached HistoryRows::rms(std::optional<double> from, const Value& value) const {
-  return of_values(from, value, [](const Column& values) {
+Reached HistoryRows::rms(std::optional<double> from, const Deviation& value) const {
+  return of_values(from, value, [](const Series& values) {
     double sum = 0;
     for (const double one : values) sum += one * one;
     return std::sqrt(sum / static_cast<double>(values.size()));

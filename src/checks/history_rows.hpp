@@ -11,13 +11,13 @@
 
 namespace vortree::checks {
 
-using Column = std::vector<double>;
+using Series = std::vector<double>;
 
 /// A deviation in one row of a report; none where there is nothing to compare with.
-using Value = std::function<std::optional<double>(std::size_t row)>;
+using Deviation = std::function<std::optional<double>(std::size_t row)>;
 
 /// Cubic through the four nearest entries of a table; none outside it, or of fewer than four.
-std::optional<double> interpolated(const Column& x, const Column& y, double at);
+std::optional<double> interpolated(const Series& x, const Series& y, double at);
 
 /// ours/known - 1; ours itself where known is zero.
 double deviation(double ours, double known);
@@ -29,26 +29,26 @@ class HistoryRows {
  public:
   explicit HistoryRows(const std::filesystem::path& file) : table_(file), T_(table_.column("T")) {}
 
-  Column column(std::string_view name) const { return table_.column(name); }
-  const Column& T() const { return T_; }
+  Series column(std::string_view name) const { return table_.column(name); }
+  const Series& T() const { return T_; }
 
   /// The largest absolute value, and the root of the mean square; NaN if one is.
-  Reached largest(std::optional<double> from, const Value& value) const;
-  Reached rms(std::optional<double> from, const Value& value) const;
+  Reached largest(std::optional<double> from, const Deviation& value) const;
+  Reached rms(std::optional<double> from, const Deviation& value) const;
 
   /// What has no number because the run has ended before.
   Reached too_short() const;
 
  private:
-  Reached of_values(std::optional<double> from, const Value& value,
-                    const std::function<double(const Column&)>& number) const;
+  Reached of_values(std::optional<double> from, const Deviation& value,
+                    const std::function<double(const Series&)>& number) const;
 
   io::Table table_;
-  Column T_;
+  Series T_;
 };
 
 /// The largest absolute value; NaN if one is.
-double largest_of(const Column& values);
+double largest_of(const Series& values);
 
 /// Adds the verdict if something was asked.
 void add(std::vector<Verdict>& list, const char* what, std::optional<double> asked,

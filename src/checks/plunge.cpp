@@ -18,7 +18,7 @@ struct Periods {
 };
 
 Periods whole_periods(const io::Scene& scene, const HistoryRows& rows) {
-  const Column t = rows.column("t");
+  const Series t = rows.column("t");
   std::size_t from = 0;
   while (from < t.size() && rows.T()[from] < scene.check.plunge_from.value_or(0)) ++from;
   if (t.size() - from < 3) return {};
@@ -29,7 +29,7 @@ Periods whole_periods(const io::Scene& scene, const HistoryRows& rows) {
 
 /// The component of a coefficient at the frequency of the plunge: its real part goes with the
 /// body's place, minus its imaginary part against the body's velocity.
-std::complex<double> at_frequency(const Column& t, const Column& values, Periods rows,
+std::complex<double> at_frequency(const Series& t, const Series& values, Periods rows,
                                   double omega) {
   std::complex<double> sum = 0;
   for (std::size_t r = rows.first; r < rows.last; ++r)
@@ -38,8 +38,8 @@ std::complex<double> at_frequency(const Column& t, const Column& values, Periods
 }
 
 /// In fluid at rest, where drag is the force along the plunge.
-void check_morison(std::vector<Verdict>& list, const io::CheckSettings& c, const Column& t,
-                   const Column& force, Periods periods, double omega, const flow::Scales& scales) {
+void check_morison(std::vector<Verdict>& list, const io::CheckSettings& c, const Series& t,
+                   const Series& force, Periods periods, double omega, const flow::Scales& scales) {
   constexpr double pi = std::numbers::pi;
   const auto off = [&](double value, const std::optional<double>& known) -> Reached {
     if (!periods.any()) return no_period;
@@ -61,7 +61,7 @@ void check_plunge(std::vector<Verdict>& list, const Finished& run) {
   const HistoryRows& rows = run.rows;
   if (!scene.plunge) return;
   const Periods periods = whole_periods(scene, rows);
-  const Column t = rows.column("t");
+  const Series t = rows.column("t");
   const double omega = 2 * std::numbers::pi * scene.plunge->frequency;
   check_morison(list, scene.check, t, rows.column("cd_impulse"), periods, omega, scales);
   add(list, "theodorsen_max", scene.check.theodorsen_max, [&]() -> Reached {

@@ -13,11 +13,11 @@ void check_shedding(std::vector<Verdict>& list, const Finished& run) {
   const io::CheckSettings& c = run.scene.check;
   const HistoryRows& rows = run.rows;
   constexpr std::size_t least = 100;  // rows
-  const Column t = rows.column("t"), all_lift = rows.column("cl_impulse"),
+  const Series t = rows.column("t"), all_lift = rows.column("cl_impulse"),
                all_drag = rows.column("cd_impulse");
   const auto first = static_cast<std::ptrdiff_t>(
       std::ranges::lower_bound(rows.T(), c.shedding_from.value_or(0)) - rows.T().begin());
-  const Column lift(all_lift.begin() + first, all_lift.end()),
+  const Series lift(all_lift.begin() + first, all_lift.end()),
       drag(all_drag.begin() + first, all_drag.end());
   if (lift.size() < least) {
     const auto asked = [&](const char* what, std::optional<double> most) {
@@ -34,7 +34,7 @@ void check_shedding(std::vector<Verdict>& list, const Finished& run) {
     const double ours = unit * dominant_frequency(lift, t[1] - t[0]);
     return {std::abs(deviation(ours, c.strouhal.value_or(0)))};
   });
-  const auto mean_off = [&](const Column& values, const std::optional<double>& known) -> Reached {
+  const auto mean_off = [&](const Series& values, const std::optional<double>& known) -> Reached {
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / values.size();
     return {std::abs(deviation(mean, known.value_or(0)))};
   };

@@ -15,7 +15,7 @@ void check_spin(std::vector<Verdict>& list, const Finished& run) {
   const exact::SpinningCylinder cylinder{scene.motion->spin, *scene.body->radius, scene.flow.nu};
   const double t = run.solver.time(), layer = std::sqrt(cylinder.nu * t);
   const auto [x0, y0] = scene.body->centre;
-  Column x, y, swirl, vorticity;
+  Series x, y, swirl, vorticity;
   for (int i = 1; i <= places; ++i) {
     const double r = cylinder.radius + 0.1 * i * layer;
     for (int k = 0; k < rays; ++k) {
@@ -27,7 +27,7 @@ void check_spin(std::vector<Verdict>& list, const Finished& run) {
     vorticity.push_back(cylinder.vorticity(r, t));
   }
   const flow::Samples found = run.solver.sample({x, y});
-  Column velocity_off, vorticity_off;
+  Series velocity_off, vorticity_off;
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double r = std::hypot(x[k] - x0, y[k] - y0), u = swirl[k / rays] / r;
     velocity_off.push_back(std::hypot(found.u[k] + u * (y[k] - y0), found.v[k] - u * (x[k] - x0)));

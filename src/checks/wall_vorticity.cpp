@@ -10,7 +10,7 @@ namespace vortree::checks {
 namespace {
 
 /// The time among those of wall.csv that is next to T, if one is within 0.02.
-std::optional<double> frame_at(const Column& times, double T) {
+std::optional<double> frame_at(const Series& times, double T) {
   if (times.empty()) return std::nullopt;
   const double next =
       *std::ranges::min_element(times, {}, [&](double time) { return std::abs(time - T); });
@@ -19,20 +19,20 @@ std::optional<double> frame_at(const Column& times, double T) {
 
 /// Relative L2 deviation of the wall vorticity, omega R/U, at the times that wall.csv and the
 /// reference share.
-Column wall_deviations(const io::Scene& scene, const std::filesystem::path& folder,
+Series wall_deviations(const io::Scene& scene, const std::filesystem::path& folder,
                        const flow::Scales& scales) {
   const io::Table reference(io::reference_path(scene, *scene.check.wall_vorticity_reference));
   const io::Table wall(folder / "wall.csv");
-  const Column rT = reference.column("T"), rAngle = reference.column("theta_deg"),
+  const Series rT = reference.column("T"), rAngle = reference.column("theta_deg"),
                rValue = reference.column("omega_R_over_U");
-  const Column T = wall.column("T"), angle = wall.column("angle_deg"),
+  const Series T = wall.column("T"), angle = wall.column("angle_deg"),
                value = wall.column("vorticity");
   const double unit = scales.length / (2 * scales.speed);
-  Column deviations;
+  Series deviations;
   for (std::size_t k = 0; k < rT.size();) {
     const double time = rT[k];
     const auto frame = frame_at(T, time);
-    Column x, y;
+    Series x, y;
     for (std::size_t i = 0; frame && i < T.size(); ++i)
       if (T[i] == *frame && angle[i] >= 0) {
         x.push_back(angle[i]);
@@ -56,7 +56,7 @@ void check_wall_vorticity(std::vector<Verdict>& list, const Finished& run) {
   const io::CheckSettings& c = run.scene.check;
   if (!run.scales.body || !c.wall_vorticity_reference) return;
   const HistoryRows& rows = run.rows;
-  const Column off = wall_deviations(run.scene, run.folder, run.scales);
+  const Series off = wall_deviations(run.scene, run.folder, run.scales);
   const auto reached = [&](double number) -> Reached {
     if (!off.empty()) return {number};
     if (rows.T().empty() || rows.T().back() < c.wall_vorticity_from.value_or(0))

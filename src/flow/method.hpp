@@ -9,6 +9,7 @@
 #include "base/keys.hpp"
 #include "flow/case.hpp"
 #include "flow/solver.hpp"
+#include "flow/warnings.hpp"
 
 namespace vortree::flow {
 
@@ -36,7 +37,7 @@ class Method {
   virtual void refuse_beyond(const Case& /*of*/, double /*memory*/) const {}
 
   /// What will go wrong with a scene that is valid but asks for too much, a sentence each.
-  virtual std::vector<std::string> warnings(const Case& /*of*/) const { return {}; }
+  virtual Warnings warnings(const Case& /*of*/) const { return {}; }
 
   /// memory  of the machine, which bounds the number of particles [bytes]
   virtual std::unique_ptr<Solver> begin(const Case& of, double memory) const = 0;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -10,16 +9,13 @@
 #include "flow/columns.hpp"
 #include "flow/force_history.hpp"
 #include "flow/measures.hpp"
+#include "tree/base/phase.hpp"
 #include "tree/order/points.hpp"
 
 namespace vortree::flow {
 
 /// More particles are followed nowhere: a step takes minutes.
 inline constexpr std::size_t most_particles = 20'000'000;
-
-/// Called with the name of each phase as it begins, for whoever keeps the time;
-/// "output" for what is measured at its end.
-using Phase = std::function<void(std::string_view name)>;
 
 /// Why a flow cannot go on, in words for the user.
 struct Diverged : std::runtime_error {
@@ -61,8 +57,10 @@ class Solver {
   virtual std::vector<std::string> phases() const = 0;
 
   /// One step of dt.
+  ///
+  /// phase   told the phases of this step, and "output" for what is measured at its end
   /// throws  Diverged with a reason; the flow then is what it was before the step
-  virtual void step(const Phase& phase) = 0;
+  virtual void step(const tree::Phase& phase) = 0;
 
   virtual long steps() const = 0;   ///< done so far
   virtual double time() const = 0;  ///< steps dt [T]

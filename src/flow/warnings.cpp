@@ -14,9 +14,7 @@
 namespace vortree::flow {
 namespace {
 
-using List = std::vector<std::string>;
-
-void doubt_times(List& list, const Case& of) {
+void doubt_times(Warnings& list, const Case& of) {
   const long last = last_step(of.time);
   const double dt = of.time.dt, end = of.time.end, comes = static_cast<double>(last) * dt;
   if (!met(end, dt))
@@ -69,7 +67,7 @@ std::array<double, 4> place_of_flow(const Case& of) {
   return all;
 }
 
-void doubt_output(List& list, const Case& of) {
+void doubt_output(Warnings& list, const Case& of) {
   const OutputSettings& output = of.output;
   if (output.fields.empty()) return;
   const auto [x0, y0, x1, y1] = *output.window;
@@ -89,8 +87,8 @@ void doubt_output(List& list, const Case& of) {
 
 }  // namespace
 
-List warnings(const Case& of) {
-  List list;
+Warnings warnings(const Case& of) {
+  Warnings list;
   doubt_times(list, of);
   doubt_output(list, of);
   return list;

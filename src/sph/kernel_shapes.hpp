@@ -101,7 +101,7 @@ struct QuinticSpline {
   }
 };
 
-struct Gaussian {
+struct GaussianKernel {
   static constexpr double support = 3;
   static double shape(double q) { return q < support ? std::exp(-q * q) : 0; }
   static double slope_over_q(double q) { return -2 * shape(q); }
@@ -134,7 +134,7 @@ decltype(auto) with_shape(Kernel kernel, const Use& use) {
     case Kernel::quintic_spline:
       return use(QuinticSpline{});
     case Kernel::gaussian:
-      return use(Gaussian{});
+      return use(GaussianKernel{});
     case Kernel::quadratic:
       return use(Quadratic{});
     default:

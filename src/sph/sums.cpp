@@ -11,13 +11,13 @@ namespace vortree::sph {
 namespace {
 
 using tree::Listing;
-using Row = std::span<const std::int32_t>;
+using NeighborRow = std::span<const std::int32_t>;
 
 // Of particle i with others: x_i - x_j and the kernel between them.
 template <class Shape>
-class Pair {
+class ParticlePair {
  public:
-  Pair(const Sources& particles, double norm, std::size_t i)
+  ParticlePair(const SmoothedParticles& particles, double norm, std::size_t i)
       : p_(particles), norm_(norm), x_(p_.points.x[i]), y_(p_.points.y[i]), reach_(p_.reach[i]) {}
 
   void look_at(std::size_t j) {
@@ -33,11 +33,11 @@ class Pair {
  private:
   double q() const { return std::sqrt(dx * dx + dy * dy) / h_; }
 
-  const Sources& p_;
+  const SmoothedParticles& p_;
   double norm_, x_, y_, reach_, h_ = 0;
 };
 
-void check(const Sources& p, std::size_t rows) {
+void check(const SmoothedParticles& p, std::size_t rows) {
   if (p.mass.size() == rows && p.reach.size() == rows && p.points.size() == rows) return;
   throw std::invalid_argument("sph: " + std::to_string(rows) + " rows for " +
                               std::to_string(p.points.size()) + " particles with " +
@@ -46,21 +46,21 @@ void check(const Sources& p, std::size_t rows) {
 }
 
 template <class Shape>
-struct Density {
-  const Sources& p;
+struct DensitySum {
+  const SmoothedParticles& p;
   double norm;
   std::span<double> rho;
 
   void start() const {
     for (std::size_t i = 0; i < rho.size(); ++i) {
-      Pair<Shape> self(p, norm, i);
+      ParticlePair<Shape> self(p, norm, i);
       self.look_at(i);
       rho[i] = p.reach[i] > 0 ? p.mass[i] * self.value() : 0;
     }
   }
 
-  void add(std::size_t i, Row row) const {
-    Pair<Shape> pair(p, norm, i);
+  void add(std::size_t i, NeighborRow row) const {
+    ParticlePair<Shape> pair(p, norm, i);
     double sum = 0;
     for (const std::int32_t number : row) {
       const auto j = static_cast<std::size_t>(number);
@@ -71,8 +71,8 @@ struct Density {
   }
 
   // Also what i gives to the others of its row.
-  void add_both(std::size_t i, Row row) const {
-    Pair<Shape> pair(p, norm, i);
+  void add_both(std::size_t i, NeighborRow row) const {
+    ParticlePair<Shape> pair(p, norm, i);
     for (const std::int32_t number : row) {
       const auto j = static_cast<std::size_t>(number);
       pair.look_at(j);
@@ -83,16 +83,16 @@ struct Density {
 };
 
 template <class Shape>
-struct Gradient {
-  const Sources& p;
+struct GradientSum {
+  const SmoothedParticles& p;
   double norm;
   std::span<const double> volume, f;
   std::span<double> gx, gy;
 
   void start() const { std::ranges::fill(gx, 0), std::ranges::fill(gy, 0); }
 
-  void add(std::size_t i, Row row) const {
-    Pair<Shape> pair(p, norm, i);
+  void add(std::size_t i, NeighborRow row) const {
+    ParticlePair<Shape> pair(p, norm, i);
     double x = 0, y = 0;
     for (const std::int32_t number : row) {
       const auto j = static_cast<std::size_t>(number);
@@ -103,8 +103,8 @@ struct Gradient {
     gx[i] += x, gy[i] += y;
   }
 
-  void add_both(std::size_t i, Row row) const {
-    Pair<Shape> pair(p, norm, i);
+  void add_both(std::size_t i, NeighborRow row) const {
+    ParticlePair<Shape> pair(p, norm, i);
     for (const std::int32_t number : row) {
       const auto j = static_cast<std::size_t>(number);
       pair.look_at(j);
@@ -130,45 +130,47 @@ template <class Sum>
 void add_rows(const Sum& sum, tree::Neighbors& search) {
   sum.start();
   search.visit(tree::PairRule::mean, Listing::both_ways,
-               [&](std::int32_t i, Row row) { sum.add(static_cast<std::size_t>(i), row); });
+               [&](std::int32_t i, NeighborRow row) { sum.add(static_cast<std::size_t>(i), row); });
 }
 
 // from  rows and their listing, or a search
 template <class... From>
-void add_density(const Sources& p, std::span<double> rho, From&&... from) {
+void add_density(const SmoothedParticles& p, std::span<double> rho, From&&... from) {
   with_shape<2>(p.kernel, [&]<class Shape>(Shape) {
-    add_rows(Density<Shape>{p, norm(p.kernel, 2), rho}, from...);
+    add_rows(DensitySum<Shape>{p, norm(p.kernel, 2), rho}, from...);
   });
 }
 
 template <class... From>
-void add_gradient(const Sources& p, std::span<const double> volume, std::span<const double> f,
-                  std::span<double> gx, std::span<double> gy, From&&... from) {
+void add_gradient(const SmoothedParticles& p, std::span<const double> volume,
+                  std::span<const double> f, std::span<double> gx, std::span<double> gy,
+                  From&&... from) {
   with_shape<2>(p.kernel, [&]<class Shape>(Shape) {
-    add_rows(Gradient<Shape>{p, norm(p.kernel, 2), volume, f, gx, gy}, from...);
+    add_rows(GradientSum<Shape>{p, norm(p.kernel, 2), volume, f, gx, gy}, from...);
   });
 }
 
 }  // namespace
 
-void density(const Sources& p, const tree::PairList& rows, Listing listing, std::span<double> rho) {
+void density(const SmoothedParticles& p, const tree::PairList& rows, Listing listing,
+             std::span<double> rho) {
   check(p, rows.size());
   add_density(p, rho, rows, listing);
 }
 
-void density(const Sources& p, tree::Neighbors& search, std::span<double> rho) {
+void density(const SmoothedParticles& p, tree::Neighbors& search, std::span<double> rho) {
   check(p, search.placed().size);
   add_density(p, rho, search);
 }
 
-void gradient(const Sources& p, std::span<const double> volume, std::span<const double> f,
+void gradient(const SmoothedParticles& p, std::span<const double> volume, std::span<const double> f,
               const tree::PairList& rows, Listing listing, std::span<double> gx,
               std::span<double> gy) {
   check(p, rows.size());
   add_gradient(p, volume, f, gx, gy, rows, listing);
 }
 
-void gradient(const Sources& p, std::span<const double> volume, std::span<const double> f,
+void gradient(const SmoothedParticles& p, std::span<const double> volume, std::span<const double> f,
               tree::Neighbors& search, std::span<double> gx, std::span<double> gy) {
   check(p, search.placed().size);
   add_gradient(p, volume, f, gx, gy, search);

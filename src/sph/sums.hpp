@@ -10,7 +10,7 @@ namespace vortree::sph {
 /// Particles that sums run over: n of each, and the kernel that smooths them.
 ///
 /// reach   radius of the support [m]: support(kernel) h
-struct Sources {
+struct SmoothedParticles {
   tree::Points points;
   std::span<const double> mass, reach;
   Kernel kernel = Kernel::wendland_c6;
@@ -31,9 +31,9 @@ struct Sources {
 ///
 /// rows          by rule mean; both ways, rows shared by threads, or each pair once, one thread
 /// search        already placed; nothing is stored
-void density(const Sources& particles, const tree::PairList& rows, tree::Listing listing,
+void density(const SmoothedParticles& particles, const tree::PairList& rows, tree::Listing listing,
              std::span<double> rho);
-void density(const Sources& particles, tree::Neighbors& search, std::span<double> rho);
+void density(const SmoothedParticles& particles, tree::Neighbors& search, std::span<double> rho);
 
 /// Gradient of a field, in the form that is exact for constants:
 ///
@@ -45,10 +45,11 @@ void density(const Sources& particles, tree::Neighbors& search, std::span<double
 /// gx, gy   n each; overwritten
 /// error    as that of the density, but with the least of n + 2 and m + 1/2 for p. By gaussian, of
 ///          whose edge the slope knows nothing, all is 9/(e^9 - 1) = 0.11 % too small
-void gradient(const Sources& particles, std::span<const double> volume, std::span<const double> f,
-              const tree::PairList& rows, tree::Listing listing, std::span<double> gx,
+void gradient(const SmoothedParticles& particles, std::span<const double> volume,
+              std::span<const double> f, const tree::PairList& rows, tree::Listing listing,
+              std::span<double> gx, std::span<double> gy);
+void gradient(const SmoothedParticles& particles, std::span<const double> volume,
+              std::span<const double> f, tree::Neighbors& search, std::span<double> gx,
               std::span<double> gy);
-void gradient(const Sources& particles, std::span<const double> volume, std::span<const double> f,
-              tree::Neighbors& search, std::span<double> gx, std::span<double> gy);
 
 }  // namespace vortree::sph

@@ -15,7 +15,7 @@ class Growth {
 
   /// More multiply faster than they merge: three times as many as before the step and more than
   /// 20 000, or as five steps before and more than 5000 (flows that went well had 1.9 times as
-  /// many). In the first ten steps beside a wall, done in parts, 100 for each panel besides, and in
+  /// many). In the first ten steps beside a wall, of substeps, 100 for each panel besides, and in
   /// the first of them 1000 a panel, at least 150 000: there the sheet of the start, in pieces as
   /// long as a panel, splits until its pieces are round and faint enough to merge, 40 a panel as a
   /// rule. Starts that went well, and had the usual number and drag soon after, had up to 597 a

@@ -24,14 +24,14 @@ void VortexMethod::refuse_beyond(const flow::Case& of, double memory) const {
   vortex::refuse_beyond({of, settings_}, memory);
 }
 
-std::vector<std::string> VortexMethod::warnings(const flow::Case& of) const {
+flow::Warnings VortexMethod::warnings(const flow::Case& of) const {
   return vortex::warnings({of, settings_});
 }
 
 std::unique_ptr<flow::Solver> VortexMethod::begin(const flow::Case& of, double memory) const {
   Setup setup = setup_of({of, settings_});
   setup.held_blobs = blobs_in(memory);
-  return std::make_unique<Solver>(std::move(setup));
+  return std::make_unique<VortexSolver>(std::move(setup));
 }
 
 }  // namespace vortree::vortex

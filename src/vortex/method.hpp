@@ -1,6 +1,7 @@
 #pragma once
 
 #include "flow/method.hpp"
+#include "flow/warnings.hpp"
 #include "vortex/settings.hpp"
 
 namespace vortree::vortex {
@@ -16,7 +17,7 @@ class VortexMethod final : public flow::Method {
   void choose(flow::Case& of, const flow::Written& written) override;
   void refuse(const flow::Case& of) const override;
   void refuse_beyond(const flow::Case& of, double memory) const override;
-  std::vector<std::string> warnings(const flow::Case& of) const override;
+  flow::Warnings warnings(const flow::Case& of) const override;
   std::unique_ptr<flow::Solver> begin(const flow::Case& of, double memory) const override;
 
   const VortexSettings& settings() const { return settings_; }

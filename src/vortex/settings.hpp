@@ -15,7 +15,7 @@
 namespace vortree::vortex {
 
 /// The core of a pair: the mean of both; that of the source; or the mean, with which each blob moves
-/// as the mean over its own core does (Problem::carrying_cores).
+/// as the mean over its own core does (Problem::advecting_cores).
 enum class PairCores { mean, source, both };
 
 }  // namespace vortree::vortex
@@ -29,7 +29,7 @@ template <>
 inline constexpr std::array<std::string_view, 3> words_of<vortex::PairCores>{"mean", "source",
                                                                              "both"};
 template <>
-inline constexpr std::array<std::string_view, 3> words_of<fmm::Method>{"fmm", "boxes", "direct"};
+inline constexpr std::array<std::string_view, 3> words_of<fmm::SumMethod>{"fmm", "boxes", "direct"};
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<fmm::Builder>{"reverse", "forward"};
 
@@ -73,7 +73,7 @@ struct DiffusionSettings {
 
 /// order 0: from the tolerance. capacity 0: chosen by the evaluator.
 struct VelocitySettings {
-  fmm::Method method = fmm::Method::fmm;
+  fmm::SumMethod method = fmm::SumMethod::fmm;
   double tolerance = 1e-6;
   int order = 0;
   int capacity = 0;

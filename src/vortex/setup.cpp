@@ -66,7 +66,7 @@ Setup setup_of(const VortexCase& scene) {
                motion.spin},
       .dt = scene.time.dt,
       .scheme = scene.time.scheme,
-      .carrying_cores = scene.velocity.cores == PairCores::both ? std::numbers::sqrt2 : 1,
+      .advecting_cores = scene.velocity.cores == PairCores::both ? std::numbers::sqrt2 : 1,
       .sigma_0 = scene.cores.sigma_0,
       .diffusion = scene.diffusion.kind,
       .area = scene.initial ? std::pow(scene.initial->spacing * scene.cores.sigma_0, 2) : 0,

@@ -33,11 +33,11 @@ constexpr std::pair<const char*, std::vector<double> Blobs::*> hidden[] = {
     {"covariance_xx", &Blobs::xx}, {"covariance_xy", &Blobs::xy}};
 
 /// Numbers of what has left, with their names in a saved state.
-constexpr std::pair<const char*, double& (*)(Retired&)> of_retired[] = {
-    {"retired circulation", [](Retired& r) -> double& { return r.gamma; }},
-    {"retired moment_x", [](Retired& r) -> double& { return r.moment.x; }},
-    {"retired moment_y", [](Retired& r) -> double& { return r.moment.y; }},
-    {"retired of_both_signs", [](Retired& r) -> double& { return r.of_both_signs; }}};
+constexpr std::pair<const char*, double& (*)(Outflow&)> of_outflow[] = {
+    {"retired circulation", [](Outflow& r) -> double& { return r.gamma; }},
+    {"retired moment_x", [](Outflow& r) -> double& { return r.moment.x; }},
+    {"retired moment_y", [](Outflow& r) -> double& { return r.moment.y; }},
+    {"retired of_both_signs", [](Outflow& r) -> double& { return r.of_both_signs; }}};
 
 /// Numbers of a wake, likewise.
 constexpr std::pair<const char*, double& (*)(Wake&)> of_wake[] = {
@@ -59,7 +59,8 @@ void restore_numbers(const flow::State& state, const auto& numbers, auto& of) {
 
 }  // namespace
 
-Solver::Solver(Setup setup) : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
+VortexSolver::VortexSolver(Setup setup)
+    : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
   setup_.problem.wall = wall();
   take(start(blobs_, setup_.problem));
   second_moment_at_start_ = flow::measured(measures_, "second_moment");
@@ -67,13 +68,13 @@ Solver::Solver(Setup setup) : setup_(std::move(setup)), blobs_(std::move(setup_.
 }
 
 /// What a step has left becomes the flow as it is.
-void Solver::take(Wake wake) {
+void VortexSolver::take(Wake wake) {
   wake_ = std::move(wake);
   growth_.add(blobs_.size());
   measures_ = measure();
 }
 
-void Solver::step(const flow::Phase& phase) {
+void VortexSolver::step(const tree::Phase& phase) {
   const double later = time_of(steps_ + 1);
   Problem& problem = setup_.problem;
   const Vec2 origin = setup_.origin.at(later);
@@ -100,13 +101,13 @@ void Solver::step(const flow::Phase& phase) {
   phase("output");
   if (const std::string reason = broken(blobs_, setup_, later); !reason.empty()) give_up(reason);
   ++steps_;
-  problem.retired = wake.retired;
+  problem.outflow = wake.outflow;
   problem.time = later;
   take(std::move(wake));
   drift_ = std::max(drift_, drift_now());
 }
 
-flow::Columns Solver::columns() const {
+flow::Columns VortexSolver::columns() const {
   const Velocities u = velocity_at({blobs_.x, blobs_.y}, blobs_, setup_.problem);
   const Vec2 from = origin(), drift = setup_.origin.drift;
   return {{"x", "L", moved(blobs_.x, from.x)}, {"y", "L", moved(blobs_.y, from.y)},
@@ -114,18 +115,18 @@ flow::Columns Solver::columns() const {
           {"u", "L/T", moved(u.u, drift.x)},   {"v", "L/T", moved(u.v, drift.y)}};
 }
 
-flow::Measures Solver::measure() const {
+flow::Measures VortexSolver::measure() const {
   const Invariants now = invariants(blobs_, shape());
   const Flow& flow = setup_.problem.flow;
-  double circulation = now.circulation + wake_.retired.gamma;
+  double circulation = now.circulation + wake_.outflow.gamma;
   if (flow.spin.rate != 0) circulation += flow.spin.circulation(wall()->area());
-  Vec2 moment = wall() ? wake_.moment : now.moment + wake_.retired.moment;
+  Vec2 moment = wall() ? wake_.moment : now.moment + wake_.outflow.moment;
   // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
   const Vec2 from = wall() ? Vec2{} : origin();
   const bool elsewhere = dot(from, from) > 0;
   if (elsewhere) moment = moment + circulation * from;
-  const Form form = wall() ? Form{} : vortex::form(blobs_);
-  const Vec2 plus = wall() ? Vec2{} : form.positive_centre;
+  const Moments moments = wall() ? Moments{} : vortex::moments(blobs_);
+  const Vec2 plus = wall() ? Vec2{} : moments.positive_centre;
   const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && flow.plunge.frequency == 0 &&
                     flow.spin.rate == 0;
   return {
@@ -137,16 +138,16 @@ flow::Measures Solver::measure() const {
       {"bubble_length", "", wake ? wake_.bubble_length / setup_.scales.length : 0},
       {"separation_deg", "deg",
        wake ? separation_angle(wake_.wall_vorticity, *wall(), flow.stream) : 0},
-      {"quadrupole_xx", "L^4/T", form.quadrupole.x},
-      {"quadrupole_xy", "L^4/T", form.quadrupole.y},
-      {"separation", "L", form.separation},
-      {"circulation_plus", "L^2/T", form.positive},
+      {"quadrupole_xx", "L^4/T", moments.quadrupole.x},
+      {"quadrupole_xy", "L^4/T", moments.quadrupole.y},
+      {"separation", "L", moments.separation},
+      {"circulation_plus", "L^2/T", moments.positive},
       {"plus_x", "L", elsewhere ? plus.x + from.x : plus.x},
       {"plus_y", "L", elsewhere ? plus.y + from.y : plus.y},
   };
 }
 
-std::optional<flow::Force> Solver::force() const {
+std::optional<flow::Force> VortexSolver::force() const {
   if (!wall()) return std::nullopt;
   const Vec2 moment = wake_.moment;
   return flow::Force{.t = time(),
@@ -156,7 +157,7 @@ std::optional<flow::Force> Solver::force() const {
                      .frame = wall()->area() * setup_.problem.flow.plunge.acceleration(time())};
 }
 
-double Solver::drift_now() const {
+double VortexSolver::drift_now() const {
   const double circulation = flow::measured(measures_, "circulation");
   if (wall()) return std::abs(circulation) / (setup_.scales.speed * setup_.scales.length);
   const double grown = 4 * setup_.problem.flow.nu * time() * circulation;
@@ -164,7 +165,7 @@ double Solver::drift_now() const {
   return expected == 0 ? 0 : std::abs(flow::measured(measures_, "second_moment") / expected - 1);
 }
 
-flow::Samples Solver::sample(tree::Points at) const {
+flow::Samples VortexSolver::sample(tree::Points at) const {
   const Vec2 from = origin(), drift = setup_.origin.drift;
   const std::vector<double> x = moved({at.x.begin(), at.x.end()}, -from.x),
                             y = moved({at.y.begin(), at.y.end()}, -from.y);
@@ -176,12 +177,12 @@ flow::Samples Solver::sample(tree::Points at) const {
   return {moved(std::move(u.u), drift.x), moved(std::move(u.v), drift.y), std::move(omega)};
 }
 
-flow::FrameTable Solver::frame_table() const {
+flow::FrameTable VortexSolver::frame_table() const {
   if (wall()) return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "sheet"}};
   return {"energy.csv", {"t", "energy", "enstrophy"}};
 }
 
-std::vector<double> Solver::frame_rows() const {
+std::vector<double> VortexSolver::frame_rows() const {
   std::vector<double> rows;
   const double t = time();
   if (!wall()) {
@@ -201,14 +202,14 @@ std::vector<double> Solver::frame_rows() const {
 }
 
 /// Of all vorticity of both signs, what has left the box.
-double Solver::share_gone() const {
-  const double gone = setup_.problem.retired.of_both_signs;
+double VortexSolver::share_gone() const {
+  const double gone = setup_.problem.outflow.of_both_signs;
   return gone > 0 ? gone / (gone + strength(blobs_)) : 0;
 }
 
-flow::Closing Solver::closing() const {
+flow::Closing VortexSolver::closing() const {
   if (!setup_.box) return {};
-  const Retired& gone = setup_.problem.retired;
+  const Outflow& gone = setup_.problem.outflow;
   return {{{"left_box.circulation", "L^2/T", gone.gamma},
            {"left_box.of_both_signs", "L^2/T", gone.of_both_signs},
            {"left_box.share", "", share_gone()}},
@@ -217,13 +218,13 @@ flow::Closing Solver::closing() const {
               " net"};
 }
 
-void Solver::save(flow::State& state) const {
+void VortexSolver::save(flow::State& state) const {
   if (const Vec2 from = origin(); dot(from, from) > 0) {
     state["x_in_flow"] = blobs_.x;
     state["y_in_flow"] = blobs_.y;
   }
   for (const auto& [name, column] : hidden) state[name] = blobs_.*column;
-  save_numbers(state, of_retired, setup_.problem.retired);
+  save_numbers(state, of_outflow, setup_.problem.outflow);
   state["second_moment_at_start"] = {second_moment_at_start_};
   state["largest_drift"] = {drift_};
   if (!wall()) return;
@@ -232,7 +233,7 @@ void Solver::save(flow::State& state) const {
   state["wall_vorticity"] = wake_.wall_vorticity;
 }
 
-void Solver::restore(long steps, const flow::Columns& columns, const flow::State& state) {
+void VortexSolver::restore(long steps, const flow::Columns& columns, const flow::State& state) {
   steps_ = steps;
   Problem& problem = setup_.problem;
   problem.time = time_of(steps);
@@ -241,11 +242,11 @@ void Solver::restore(long steps, const flow::Columns& columns, const flow::State
             elsewhere ? flow::saved(state, "y_in_flow") : flow::column(columns, "y"),
             flow::column(columns, "gamma"), flow::column(columns, "sigma")};
   for (const auto& [name, column] : hidden) blobs_.*column = flow::saved(state, name);
-  restore_numbers(state, of_retired, problem.retired);
+  restore_numbers(state, of_outflow, problem.outflow);
   second_moment_at_start_ = flow::saved_number(state, "second_moment_at_start");
   drift_ = flow::saved_number(state, "largest_drift");
   wake_ = {};
-  wake_.retired = problem.retired;
+  wake_.outflow = problem.outflow;
   if (wall()) {
     restore_numbers(state, of_wake, wake_);
     wake_.sheet = flow::saved(state, "sheet");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "flow/solver.hpp"
+#include "tree/base/phase.hpp"
 #include "vortex/health.hpp"
 #include "vortex/setup.hpp"
 
@@ -19,13 +20,13 @@ namespace vortree::vortex {
 /// drift     beside a wall of the circulation, else of the second moment but for diffusion
 /// table     wall.csv, vorticity and sheet of each panel; or energy.csv of up to 20 000 blobs, for
 ///           the sum is over all pairs
-class Solver final : public flow::Solver {
+class VortexSolver final : public flow::Solver {
  public:
-  explicit Solver(Setup setup);
+  explicit VortexSolver(Setup setup);
 
   std::string particle() const override { return "blob"; }
   std::vector<std::string> phases() const override { return {"convect", "wall", "split", "merge"}; }
-  void step(const flow::Phase& phase) override;
+  void step(const tree::Phase& phase) override;
   long steps() const override { return steps_; }
   double time() const override { return setup_.problem.time; }
   std::size_t particles() const override { return blobs_.size(); }

@@ -46,10 +46,10 @@ void add_body(Velocities& u, tree::Points at, double circulation) {
 
 /// Of all sheets, that which leaves no circulation in fluid and body together.
 double sheet_circulation(const Blobs& blobs, const Problem& p) {
-  return -total(blobs.gamma) - p.retired.gamma - of_body(p);
+  return -total(blobs.gamma) - p.outflow.gamma - of_body(p);
 }
 
-fmm::Blobs as_sources(const Blobs& blobs, const Acting& at) {
+fmm::Sources as_sources(const Blobs& blobs, const FoldedBlobs& at) {
   return {at.x, at.y, blobs.gamma, at.sigma};
 }
 
@@ -59,16 +59,16 @@ fmm::Options at_points(fmm::Options sums) {
   return sums;
 }
 
-/// Velocity of the blobs at their acting positions, with stream and wall; and its gradient, if
+/// Velocity of the blobs at their folded centroids, with stream and wall; and its gradient, if
 /// wanted, without the sheet's.
-Velocities carrying(const Blobs& blobs, const Acting& at, const Problem& p, Vec2 stream,
-                    Gradients* gradients) {
+Velocities advecting_velocity(const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
+                              Vec2 stream, Gradients* gradients) {
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
-  Acting carrying = at;
-  if (p.carrying_cores != 1)
-    for (double& sigma : carrying.sigma) sigma *= p.carrying_cores;
-  const fmm::Blobs sources = as_sources(blobs, carrying);
+  FoldedBlobs advecting = at;
+  if (p.advecting_cores != 1)
+    for (double& sigma : advecting.sigma) sigma *= p.advecting_cores;
+  const fmm::Sources sources = as_sources(blobs, advecting);
   const tree::Points samples = p.wall ? p.wall->samples() : tree::Points{};
   const fmm::Plan plan(sources, p.sums);
   if (gradients) {
@@ -96,7 +96,7 @@ struct AtRest {
 
 /// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
 /// blobs and sheet together.
-AtRest with_sheet(tree::Points points, const Blobs& blobs, const Acting& at, const Problem& p,
+AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
                   Vec2 stream) {
   AtRest result{{}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
@@ -123,14 +123,14 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
 }
 
 Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
-  const Acting at = acting(blobs, &p.wall->shape());
+  const FoldedBlobs at = fold(blobs, &p.wall->shape());
   Wake wake;
   const WakeLine line =
       dot(p.flow.stream, p.flow.stream) > 0 ? wake_line(*p.wall, p.flow.stream) : WakeLine{};
   AtRest at_rest = with_sheet(line.points(), blobs, at, p, p.flow.stream_at(time));
   wake.sheet = std::move(at_rest.sheet);
   wake.bubble_length = bubble_length(line, at_rest.u);
-  wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.retired.moment;
+  wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.outflow.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
   wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
@@ -148,19 +148,19 @@ void scatter(Blobs& blobs, const Problem& p, std::uint64_t number) {
     exchange_strength(blobs, p.flow.nu, p.dt, p.sigma_0, p.area);
 }
 
-/// In how many parts a step is done: after an impulsive start the flow changes as fast as it is
+/// In how many substeps a step is done: after an impulsive start the flow changes as fast as it is
 /// young.
-int parts_of(const Problem& p, std::uint64_t number) {
+int substeps_of(const Problem& p, std::uint64_t number) {
   constexpr std::uint64_t of_first = 8;
   if (!p.wall || number > of_first) return 1;
   return static_cast<int>(of_first / std::max<std::uint64_t>(number, 1));
 }
 
-/// The problem with a step of dt/parts, and cores and mergers as they go with it.
-Problem in_parts_of(const Problem& whole, int parts) {
+/// The problem with a step of dt/substeps, and cores and mergers as they go with it.
+Problem substep_of(const Problem& whole, int substeps) {
   Problem p = whole;
-  const double finer = 1 / std::sqrt(static_cast<double>(parts));
-  p.dt /= parts;
+  const double finer = 1 / std::sqrt(static_cast<double>(substeps));
+  p.dt /= substeps;
   for (double* scale :
        {&p.sigma_0, &p.splitting.sigma_max, &p.merging.sigma_max, &p.merging.tolerance})
     *scale *= finer;
@@ -172,13 +172,13 @@ Problem in_parts_of(const Problem& whole, int parts) {
 Wake start(Blobs& blobs, const Problem& p) {
   // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
   // step.
-  const double dt = p.dt / parts_of(p, 1);
+  const double dt = p.dt / substeps_of(p, 1);
   return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * dt)) : Wake{};
 }
 
 namespace {
 
-Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Phase& phase) {
+Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tree::Phase& phase) {
   const body::Shape* shape = p.wall ? &p.wall->shape() : nullptr;
   Wake wake;
   phase("convect");
@@ -189,8 +189,8 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Pha
   if (spreads) spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
   convect(
       blobs,
-      [&](const Blobs& b, const Acting& at, double after, Gradients* gradients) {
-        return carrying(b, at, p, p.flow.stream_at(p.time + after), gradients);
+      [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* gradients) {
+        return advecting_velocity(b, at, p, p.flow.stream_at(p.time + after), gradients);
       },
       shape, p.scheme, p.dt, strains);
   if (spreads)
@@ -203,31 +203,31 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const Pha
   }
   if (spreads) {
     phase("split");
-    Parts parts = split_apart(blobs, p.splitting, shape, number);
+    AdaptedBlobs adapted = split_apart(blobs, p.splitting, shape, number);
     phase("merge");
-    merge_close(parts, p.merging);
-    if (parts.all.size() > p.most_blobs) throw Multiplied(parts.all.size());
-    blobs = settled(parts, shape);
+    merge_close(adapted, p.merging);
+    if (adapted.all.size() > p.most_blobs) throw Multiplied(adapted.all.size());
+    blobs = pack(adapted, shape);
   }
-  wake.retired = p.retired;
-  if (p.box) wake.retired = wake.retired + retire(blobs, *p.box);
-  if (p.faintest > 0) wake.retired = wake.retired + retire(blobs, p.faintest);
-  wake.retired.drift(p.flow.way(p.time, p.dt));
+  wake.outflow = p.outflow;
+  if (p.box) wake.outflow = wake.outflow + remove_outside(blobs, *p.box);
+  if (p.faintest > 0) wake.outflow = wake.outflow + remove_faint(blobs, p.faintest);
+  wake.outflow.drift(p.flow.way(p.time, p.dt));
   return wake;
 }
 
 }  // namespace
 
-Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const Phase& phase) {
-  const int parts = parts_of(whole, number);
-  if (parts == 1) return step_in_one(blobs, whole, number, phase);
-  Problem p = in_parts_of(whole, parts);
+Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::Phase& phase) {
+  const int substeps = substeps_of(whole, number);
+  if (substeps == 1) return step_in_one(blobs, whole, number, phase);
+  Problem p = substep_of(whole, substeps);
   Wake wake;
   Vec2 pressure;
-  for (int k = 0; k < parts; ++k) {
+  for (int k = 0; k < substeps; ++k) {
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
-    pressure += (1.0 / parts) * wake.pressure;
-    p.retired = wake.retired;
+    pressure += (1.0 / substeps) * wake.pressure;
+    p.outflow = wake.outflow;
     p.time += p.dt;
   }
   wake.pressure = pressure;
@@ -235,7 +235,7 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const Phase&
 }
 
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p) {
-  const Acting at = acting(blobs, p.wall ? &p.wall->shape() : nullptr);
+  const FoldedBlobs at = fold(blobs, p.wall ? &p.wall->shape() : nullptr);
   const Vec2 stream = p.flow.stream_at(p.time);
   if (p.wall) return with_sheet(points, blobs, at, p, stream).u;
   Velocities u(points.size());

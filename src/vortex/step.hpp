@@ -1,13 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "body/motion.hpp"
 #include "fmm/options.hpp"
+#include "tree/base/phase.hpp"
 #include "vortex/adapt/merge_close.hpp"
 #include "vortex/adapt/split_wide.hpp"
 #include "vortex/blobs/invariants.hpp"
@@ -37,12 +36,12 @@ struct Flow {
 /// What a step needs to know, besides the blobs.
 ///
 /// time      when the step begins; for velocity_at, now [s]
-/// box       blobs that leave it are retired; so are those of no more circulation than `faintest`
-///           [m^2/s], 0: none; `retired` all that have left in the steps before
+/// box       blobs that leave it are taken away; so are those of no more circulation than
+///           `faintest` [m^2/s], 0: none; `outflow` all that have left in the steps before
 /// wall      nullptr: free space
-/// most_blobs  a step that leaves more of them, or a part of a step, throws Multiplied
-/// carrying_cores  of a blob's core, that with which it carries others: 1, or sqrt(2), which in the
-///           mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
+/// most_blobs  a step that leaves more of them, or a substep, throws Multiplied
+/// advecting_cores  of a blob's core, that with which it advects others: 1, or sqrt(2), which in
+///           the mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
 ///           averaged over its own core, and the energy of free space is conserved too
 /// sums      how velocities are summed
 /// sigma_0   core of blobs released at the wall, or of those that exchange circulation [m]
@@ -53,7 +52,7 @@ struct Problem {
   double time = 0;
   flow::Scheme scheme = flow::Scheme::rk2;
   std::size_t most_blobs = 20'000'000;
-  double carrying_cores = 1;
+  double advecting_cores = 1;
   double sigma_0;
   Diffusion diffusion = Diffusion::core_spreading;
   double area = 0;
@@ -61,12 +60,12 @@ struct Problem {
   Merging merging;
   std::optional<Box> box{};
   double faintest = 0;
-  Retired retired{};
+  Outflow outflow{};
   const Wall* wall = nullptr;
   fmm::Options sums;
 };
 
-/// What one step leaves beside the blobs; but for `retired`, empty without a wall.
+/// What one step leaves beside the blobs; but for `outflow`, empty without a wall.
 ///
 /// sheet           released at the end of the step [m/s], a value a panel
 /// moment          sum gamma X of blobs, sheet and what has left, before the release; forces
@@ -76,14 +75,14 @@ struct Problem {
 ///                 [m^3/s^2] (motion.hpp)
 /// friction        the same, at the end of the step
 /// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
-/// retired         all that has left the box, to be handed to the next step
+/// outflow         all that has left the box, to be handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
   std::vector<double> wall_vorticity;
   Vec2 pressure, friction;
   double bubble_length = 0;
-  Retired retired{};
+  Outflow outflow{};
 };
 
 /// Blobs multiply faster than they merge: more than Problem::most_blobs.
@@ -94,18 +93,15 @@ struct Multiplied : std::runtime_error {
       : std::runtime_error(std::to_string(count) + " blobs"), blobs(count) {}
 };
 
-/// Called with the name of each phase as it begins, for whoever keeps the time.
-using Phase = std::function<void(std::string_view name)>;
-
 /// The impulsive start: the sheet that cancels the slip of stream and blobs at t = 0, released.
 Wake start(Blobs& blobs, const Problem& problem);
 
 /// One step of length dt: half the diffusion, convection, the other half, release of wall
 /// vorticity, splitting, merging. Beside a wall the first steps, from number 1, are done in 8, 4, 2
-/// and 2 parts of dt, with cores and mergers as much finer: an impulsive start changes the flow as
+/// and 2 substeps, with cores and mergers as much finer: an impulsive start changes the flow as
 /// fast as it is young.
 /// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
-Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const Phase& phase);
+Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const tree::Phase& phase);
 
 /// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at
 /// rest.

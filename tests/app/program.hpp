@@ -86,7 +86,7 @@ using Vector = std::vector<double>;
 
 inline void write_particles(const fs::path& file,
                             const std::vector<std::pair<std::string, Vector>>& columns) {
-  std::vector<io::Column> spans;
+  std::vector<io::ParticleColumn> spans;
   for (const auto& [name, values] : columns)
     spans.push_back({name, std::span<const double>(values)});
   io::write_columns(file, spans);

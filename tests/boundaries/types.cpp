@@ -17,13 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names that still are two types or more: to be struck when they are one. No name is added.
-const std::set<std::string> still_double{
-    "Bench", "Blobs",  "Box",   "Builder",   "Cells",    "Choice", "Column",  "Columns", "Complex",
-    "Cost",  "Curve",  "Field", "Found",     "Gradient", "Key",    "Known",   "Lattice", "Layout",
-    "List",  "Method", "Need",  "Particles", "Phase",    "Points", "Problem", "Row",     "Solver",
-    "Sum",   "Sums",   "Table", "Value",     "Vec2",     "Window"};
-
 struct Token {
   std::string text;
   int line = 0;
@@ -151,17 +144,10 @@ std::vector<std::string> names_in(const std::string& text) {
 TEST_CASE("a type name is defined once") {
   const auto types = all_types();
   CHECK(types.size() > 400);
-  std::set<std::string> twice;
   for (const auto& [name, places] : types) {
-    if (places.size() == 1) continue;
-    twice.insert(name);
     for (const std::string& place : places) UNSCOPED_INFO(place);
     INFO(name << " is defined here and there");
-    CHECK(still_double.contains(name));
-  }
-  for (const std::string& name : still_double) {
-    INFO(name << " is defined once: strike it from the list");
-    CHECK(twice.contains(name));
+    CHECK(places.size() == 1);
   }
 }
 

@@ -42,7 +42,7 @@ class MadeUpRun {
   std::vector<checks::Verdict> verdicts(int rows, const vortex::Blobs& blobs = {}) const {
     vortex::Setup setup = vortex::setup_of(case_of(scene_));
     if (blobs.size() > 0) setup.blobs = blobs;
-    const vortex::Solver solver(std::move(setup));
+    const vortex::VortexSolver solver(std::move(setup));
     const std::vector<std::string> names = app::Rows(solver, scales_).names();
     std::string report = fmt::format("{}\n", fmt::join(names, ","));
     for (int k = 1; k <= rows; ++k) {

@@ -55,7 +55,7 @@ TEST_CASE("a run has passed unless something was missed, and not before its end"
 }
 
 TEST_CASE("a cubic through four entries is exact for cubics, and there is none outside a table") {
-  checks::Column x, y;
+  checks::Series x, y;
   for (double at : {0.0, 0.3, 1.0, 1.2, 2.0}) {
     x.push_back(at);
     y.push_back(at * at * at - at);

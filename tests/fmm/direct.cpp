@@ -8,7 +8,7 @@
 #include "point_sets.hpp"
 
 using namespace vortree;
-using fmm::Method;
+using fmm::SumMethod;
 
 namespace {
 
@@ -16,7 +16,7 @@ constexpr std::size_t n = 2000;
 const std::vector<double> x{0.5, 1.5, -0.3}, y{0.2, -0.7, 0.9}, sigma{0.1, 0.0, 0.3};
 
 test::PointSet cored_blobs() {
-  test::PointSet set = test::make_points(test::Kind::ringwake, n);
+  test::PointSet set = test::make_points(test::PointKind::ringwake, n);
   test::Uniform uniform(3);
   for (std::size_t i = 0; i < set.size(); ++i) set.sigma.push_back(0.02 * (1 + uniform()));
   return set;
@@ -50,17 +50,17 @@ TEST_CASE("a plan of pairs gives the direct sums bit for bit, and keeps what it 
   for (const fmm::Cores cores : {fmm::Cores::mean, fmm::Cores::source}) {
     test::PointSet set = cored_blobs();
     const test::PointSet kept = set;
-    const fmm::Plan plan(set.blobs(), {.cores = cores, .method = Method::direct});
+    const fmm::Plan plan(set.blobs(), {.cores = cores, .method = SumMethod::direct});
     std::fill(set.x.begin(), set.x.end(), 0.0);
     const auto sums = all_of(plan);
     std::vector<double> u(n), v(n), ux(n), uy(n), vx(n), psi(x.size());
-    const fmm::Blobs blobs = kept.blobs();
+    const fmm::Sources blobs = kept.blobs();
     fmm::velocity_direct(blobs, {blobs.x, blobs.y, blobs.sigma}, cores, u, v);
     fmm::gradient_direct(blobs, {blobs.x, blobs.y, blobs.sigma}, cores, ux, uy, vx);
     fmm::stream_function_direct(blobs, {x, y, sigma}, cores, psi);
     CHECK((sums[0] == u && sums[1] == v && sums[2] == ux && sums[3] == uy && sums[4] == vx));
     CHECK(sums[12] == psi);
-    CHECK(plan.method() == Method::direct);
+    CHECK(plan.method() == SumMethod::direct);
     CHECK(plan.order() == 0);
     CHECK(plan.tree().cells().empty());
     CHECK(plan.work().cored == n * n);
@@ -70,8 +70,9 @@ TEST_CASE("a plan of pairs gives the direct sums bit for bit, and keeps what it 
 TEST_CASE("the other methods agree with pairs on all that a plan sums") {
   const test::PointSet set = cored_blobs();
   for (const fmm::Cores cores : {fmm::Cores::mean, fmm::Cores::source}) {
-    const auto exact = all_of(fmm::Plan(set.blobs(), {.cores = cores, .method = Method::direct}));
-    for (const Method method : {Method::fmm, Method::boxes}) {
+    const auto exact =
+        all_of(fmm::Plan(set.blobs(), {.cores = cores, .method = SumMethod::direct}));
+    for (const SumMethod method : {SumMethod::fmm, SumMethod::boxes}) {
       const auto sums =
           all_of(fmm::Plan(set.blobs(), {.tolerance = 1e-8, .cores = cores, .method = method}));
       for (std::size_t k = 0; k < sums.size(); ++k) {

@@ -18,7 +18,7 @@ struct Cloud {
   void add(double px, double py, double strength, double core = 0.0) {
     x.push_back(px), y.push_back(py), gamma.push_back(strength), sigma.push_back(core);
   }
-  [[nodiscard]] fmm::Blobs blobs() const { return {x, y, gamma, sigma}; }
+  [[nodiscard]] fmm::Sources blobs() const { return {x, y, gamma, sigma}; }
   [[nodiscard]] fmm::Targets targets() const { return {x, y, sigma}; }
 };
 

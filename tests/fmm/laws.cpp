@@ -39,9 +39,9 @@ double drift(const std::vector<double>& gamma, const Field& field) {
 }  // namespace
 
 TEST_CASE("mean cores conserve sum gamma x: exactly in the direct sum, to tolerance in a plan") {
-  const test::PointSet set = test::make_points(test::Kind::ringwake, 5000);
+  const test::PointSet set = test::make_points(test::PointKind::ringwake, 5000);
   const std::vector<double> sigma = varied_cores(set.size());
-  const fmm::Blobs blobs{set.x, set.y, set.gamma, sigma};
+  const fmm::Sources blobs{set.x, set.y, set.gamma, sigma};
   Field direct(set.size()), planned(set.size());
   fmm::velocity_direct(blobs, {set.x, set.y, sigma}, fmm::Cores::mean, direct.u, direct.v);
   CHECK(drift(set.gamma, direct) < 1e-15);
@@ -54,7 +54,7 @@ TEST_CASE("mean cores conserve sum gamma x: exactly in the direct sum, to tolera
 TEST_CASE("any number of threads gives the same bits") {
   const int threads = omp_get_max_threads();
   for (const double tolerance : {1e-4, 1e-10}) {
-    const test::PointSet set = test::make_points(test::Kind::hard, 6000);
+    const test::PointSet set = test::make_points(test::PointKind::hard, 6000);
     const std::vector<double> sigma = varied_cores(set.size());
     std::vector<Field> fields;
     for (const int count : {1, 2, 5}) {
@@ -72,8 +72,8 @@ TEST_CASE("any number of threads gives the same bits") {
 }
 
 TEST_CASE("either builder leads to the same velocities, and a plan may be asked again") {
-  const test::PointSet set = test::make_points(test::Kind::ringwake, 3000);
-  const fmm::Blobs blobs{set.x, set.y, set.gamma, {}};
+  const test::PointSet set = test::make_points(test::PointKind::ringwake, 3000);
+  const fmm::Sources blobs{set.x, set.y, set.gamma, {}};
   Field reverse(set.size()), forward(set.size()), again(set.size());
   const fmm::Plan plan(blobs, {.builder = fmm::Builder::reverse});
   plan.velocity(reverse.u, reverse.v);
@@ -89,12 +89,12 @@ TEST_CASE("asked at its own blobs' places as targets, a plan gives the same velo
     for (std::size_t i = 0; i < a.u.size(); ++i) sum += a.u[i] * a.u[i] + a.v[i] * a.v[i];
     return std::sqrt(sum);
   };
-  const test::PointSet set = test::make_points(test::Kind::uniform, 2000);
+  const test::PointSet set = test::make_points(test::PointKind::uniform, 2000);
   const std::vector<double> sigma = varied_cores(set.size());
   for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
-    const fmm::Blobs blobs{set.x, set.y, set.gamma, sigma};
+    const fmm::Sources blobs{set.x, set.y, set.gamma, sigma};
     Field own(set.size()), asked(set.size());
-    const fmm::Plan boxes(blobs, {.cores = cores, .method = fmm::Method::boxes});
+    const fmm::Plan boxes(blobs, {.cores = cores, .method = fmm::SumMethod::boxes});
     boxes.velocity(own.u, own.v);
     boxes.velocity({set.x, set.y, sigma}, asked.u, asked.v);
     CHECK(own == asked);
@@ -110,7 +110,7 @@ TEST_CASE("asked at its own blobs' places as targets, a plan gives the same velo
 }
 
 TEST_CASE("velocities scale with gamma and with length, to the last bit for powers of two") {
-  test::PointSet set = test::make_points(test::Kind::hard, 2000);
+  test::PointSet set = test::make_points(test::PointKind::hard, 2000);
   std::vector<double> sigma = varied_cores(set.size());
   Field before(set.size()), after(set.size());
   fmm::Plan({set.x, set.y, set.gamma, sigma}, {}).velocity(before.u, before.v);
@@ -124,7 +124,7 @@ TEST_CASE("velocities scale with gamma and with length, to the last bit for powe
 }
 
 TEST_CASE("work counted adds up: every target meets every source once") {
-  const test::PointSet set = test::make_points(test::Kind::uniform, 500);
+  const test::PointSet set = test::make_points(test::PointKind::uniform, 500);
   const std::vector<double> sigma(set.size(), 10.0);
   const fmm::Plan plan({set.x, set.y, set.gamma, sigma}, {});
   const fmm::Work work = plan.work();

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "fmm/blobs.hpp"
 #include "fmm/near/p2p_kernel.hpp"
+#include "fmm/sources.hpp"
 
 namespace vortree::test {
 
@@ -22,7 +22,7 @@ inline long double exact_weight(long double r2, long double gamma, long double c
   return fmm::pair_weight_plain(r2, gamma, r2 < 60 * core ? core : 0.0L);
 }
 
-inline Exact exact_velocity(const fmm::Blobs& blobs, const fmm::Targets& targets,
+inline Exact exact_velocity(const fmm::Sources& blobs, const fmm::Targets& targets,
                             fmm::Cores cores) {
   const auto square = [](std::span<const double> sigma, std::size_t i) -> long double {
     return sigma.empty() ? 0.0L : static_cast<long double>(sigma[i]) * sigma[i];

@@ -16,7 +16,7 @@ namespace {
 
 enum class Widths { bare, even, mixed };
 
-test::PointSet make_set(test::Kind kind, std::size_t n, Widths width) {
+test::PointSet make_set(test::PointKind kind, std::size_t n, Widths width) {
   test::PointSet set = test::make_points(kind, n);
   test::Uniform uniform(99);
   for (std::size_t i = 0; i < n && width != Widths::bare; ++i) {
@@ -27,7 +27,8 @@ test::PointSet make_set(test::Kind kind, std::size_t n, Widths width) {
 }
 
 /// u, v, du/dx, du/dy, dv/dx at the blobs.
-std::array<std::vector<double>, 5> together(const fmm::Blobs& blobs, const fmm::Options& options) {
+std::array<std::vector<double>, 5> together(const fmm::Sources& blobs,
+                                            const fmm::Options& options) {
   std::array<std::vector<double>, 5> found;
   for (auto& column : found) column.assign(blobs.size(), 7.0);
   auto& [u, v, ux, uy, vx] = found;
@@ -44,7 +45,7 @@ test::Fields slopes_of(const std::array<std::vector<double>, 5>& found, std::siz
   return slopes;
 }
 
-void check_sweep(const test::PointSet& set, fmm::Cores cores, fmm::Method method,
+void check_sweep(const test::PointSet& set, fmm::Cores cores, fmm::SumMethod method,
                  std::initializer_list<double> tolerances) {
   const std::size_t stride = set.size() / 300;
   const std::vector<double> x = test::every(stride, set.x), y = test::every(stride, set.y),
@@ -65,9 +66,9 @@ void check_sweep(const test::PointSet& set, fmm::Cores cores, fmm::Method method
 }  // namespace
 
 TEST_CASE("velocity and gradient together keep their tolerances, bare vortices") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     CAPTURE(test::kind_names[static_cast<int>(kind)]);
-    for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+    for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
       check_sweep(make_set(kind, 6000, Widths::bare), fmm::Cores::source, method,
                   {1e-3, 1e-5, 1e-6, 1e-9, 1e-12});
     }
@@ -75,10 +76,10 @@ TEST_CASE("velocity and gradient together keep their tolerances, bare vortices")
 }
 
 TEST_CASE("velocity and gradient together keep their tolerances, cores of the spacing") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
       CAPTURE(test::kind_names[static_cast<int>(kind)], static_cast<int>(cores));
-      for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+      for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
         check_sweep(make_set(kind, 6000, Widths::even), cores, method,
                     {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9, 1e-12});
       }
@@ -88,15 +89,16 @@ TEST_CASE("velocity and gradient together keep their tolerances, cores of the sp
 
 TEST_CASE("velocity and gradient together keep their tolerances in a smooth flow") {
   for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
-    check_sweep(bench::make_blobs(8000), cores, fmm::Method::fmm, {1e-3, 1e-5, 1e-6, 1e-9, 1e-12});
+    check_sweep(bench::make_blobs(8000), cores, fmm::SumMethod::fmm,
+                {1e-3, 1e-5, 1e-6, 1e-9, 1e-12});
   }
 }
 
 TEST_CASE("velocity and gradient together keep their tolerances, cores from 1e-6 to 1") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
       CAPTURE(test::kind_names[static_cast<int>(kind)], static_cast<int>(cores));
-      check_sweep(make_set(kind, 3000, Widths::mixed), cores, fmm::Method::fmm,
+      check_sweep(make_set(kind, 3000, Widths::mixed), cores, fmm::SumMethod::fmm,
                   {1e-3, 1e-6, 1e-12});
     }
   }
@@ -105,7 +107,7 @@ TEST_CASE("velocity and gradient together keep their tolerances, cores from 1e-6
 TEST_CASE("velocity and gradient together are the same bits for any number of threads") {
   const int threads = omp_get_max_threads();
   for (const Widths width : {Widths::bare, Widths::even}) {
-    const test::PointSet set = make_set(test::Kind::ringwake, 20000, width);
+    const test::PointSet set = make_set(test::PointKind::ringwake, 20000, width);
     for (const double tolerance : {1e-5, 1e-9}) {
       omp_set_num_threads(1);
       const auto alone = together(set.blobs(), {.tolerance = tolerance, .cores = fmm::Cores::mean});
@@ -127,7 +129,7 @@ TEST_CASE("a crowd of blobs in one place does not move, but turns by its cores")
   }
   set.x.push_back(5), set.y.push_back(0.7), set.gamma.push_back(0), set.sigma.push_back(0.5);
   for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
-    for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+    for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
       for (const double tolerance : {1e-5, 1e-9}) {
         CAPTURE(static_cast<int>(cores), static_cast<int>(method), tolerance);
         const auto [u, v, ux, uy, vx] =

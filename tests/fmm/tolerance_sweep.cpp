@@ -28,13 +28,13 @@ struct Case {
   std::vector<double> sigma, x, y, target_sigma;
   fmm::Cores cores;
 
-  Case(test::Kind kind, std::size_t n, Widths width, fmm::Cores pair_cores)
+  Case(test::PointKind kind, std::size_t n, Widths width, fmm::Cores pair_cores)
       : set(test::make_points(kind, n)), sigma(widths(width, n)), cores(pair_cores) {
     const std::size_t stride = n / 1000;
     x = test::every(stride, set.x), y = test::every(stride, set.y);
     target_sigma = test::every(stride, sigma);
   }
-  [[nodiscard]] fmm::Blobs blobs() const { return {set.x, set.y, set.gamma, sigma}; }
+  [[nodiscard]] fmm::Sources blobs() const { return {set.x, set.y, set.gamma, sigma}; }
   [[nodiscard]] fmm::Targets targets() const { return {x, y, target_sigma}; }
 };
 
@@ -60,7 +60,7 @@ void check_sweep(const Case& asked, std::initializer_list<double> tolerances) {
 }  // namespace
 
 TEST_CASE("the error keeps below the tolerance, from 1e-2 to 1e-13, bare vortices") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     CAPTURE(test::kind_names[static_cast<int>(kind)]);
     check_sweep(Case(kind, 20000, Widths::bare, fmm::Cores::source),
                 {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13});
@@ -68,7 +68,7 @@ TEST_CASE("the error keeps below the tolerance, from 1e-2 to 1e-13, bare vortice
 }
 
 TEST_CASE("the error keeps below the tolerance, from 1e-2 to 1e-13, cores of the spacing") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
       CAPTURE(test::kind_names[static_cast<int>(kind)], static_cast<int>(cores));
       check_sweep(Case(kind, 10000, Widths::even, cores),
@@ -78,7 +78,7 @@ TEST_CASE("the error keeps below the tolerance, from 1e-2 to 1e-13, cores of the
 }
 
 TEST_CASE("the error keeps below the tolerance, from 1e-2 to 1e-13, cores from 1e-6 to 1") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
       CAPTURE(test::kind_names[static_cast<int>(kind)], static_cast<int>(cores));
       check_sweep(Case(kind, 10000, Widths::mixed, cores), {1e-2, 1e-4, 1e-6, 1e-9, 1e-13});

@@ -35,7 +35,7 @@ Exact exact_vorticity(const test::PointSet& set, const std::vector<double>& sigm
 }  // namespace
 
 TEST_CASE("vorticity keeps its tolerance of the largest sum of |contributions|") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     CAPTURE(test::kind_names[static_cast<int>(kind)]);
     const test::PointSet set = test::make_points(kind, 3000);
     std::vector<double> sigma(set.size(), 0.04);

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "fmm/blobs.hpp"
 #include "fmm/options.hpp"
+#include "fmm/sources.hpp"
 
 namespace vortree::test {
 
@@ -65,7 +65,7 @@ struct Whole {
   }
 };
 
-inline std::vector<Whole> whole_reference(const fmm::Blobs& blobs, const fmm::Targets& targets,
+inline std::vector<Whole> whole_reference(const fmm::Sources& blobs, const fmm::Targets& targets,
                                           fmm::Cores cores) {
   const auto square = [](std::span<const double> sigma, std::size_t i) -> long double {
     return sigma.empty() ? 0.0L : static_cast<long double>(sigma[i]) * sigma[i];

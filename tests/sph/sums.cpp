@@ -29,7 +29,9 @@ struct Case {
     }
   }
 
-  sph::Sources sources(sph::Kernel kernel) const { return {set.points(), mass, set.reach, kernel}; }
+  sph::SmoothedParticles sources(sph::Kernel kernel) const {
+    return {set.points(), mass, set.reach, kernel};
+  }
 };
 
 // Density, both parts of the gradient.

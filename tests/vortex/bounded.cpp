@@ -16,7 +16,7 @@ TEST_CASE("what leaves a box is accounted for: circulation and impulse stay") {
   Blobs blobs = test::cloud(1000, 0.01, 0.02);
   const vortex::Invariants before = invariants(blobs, nullptr);
   const vortex::Box box{{-0.3, -0.4}, {0.3, 0.4}};
-  const vortex::Retired gone = vortex::retire(blobs, box);
+  const vortex::Outflow gone = vortex::remove_outside(blobs, box);
   CHECK(blobs.size() < 600);
   for (std::size_t i = 0; i < blobs.size(); ++i) REQUIRE(box.holds(blobs.centre(i)));
   const vortex::Invariants after = invariants(blobs, nullptr);
@@ -24,7 +24,7 @@ TEST_CASE("what leaves a box is accounted for: circulation and impulse stay") {
   CHECK(after.moment.x + gone.moment.x == Approx(before.moment.x).epsilon(1e-12));
   CHECK(after.moment.y + gone.moment.y == Approx(before.moment.y).epsilon(1e-12));
   const Blobs inside = blobs;
-  CHECK(vortex::retire(blobs, box).gamma == 0);
+  CHECK(vortex::remove_outside(blobs, box).gamma == 0);
   CHECK(blobs == inside);
 }
 
@@ -33,12 +33,12 @@ TEST_CASE("what is too faint is accounted for, and all else stays as it is") {
   for (std::size_t i = 0; i < blobs.size(); i += 3) blobs.gamma[i] *= 1e-9;
   const Blobs all = blobs;
   const double faintest = 1e-10;
-  const vortex::Retired gone = vortex::retire(blobs, faintest);
-  vortex::Retired expected;
+  const vortex::Outflow gone = vortex::remove_faint(blobs, faintest);
+  vortex::Outflow expected;
   std::size_t left = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (std::abs(all.gamma[i]) <= faintest) {
-      expected = expected + vortex::Retired{all.gamma[i], all.gamma[i] * all.centre(i)};
+      expected = expected + vortex::Outflow{all.gamma[i], all.gamma[i] * all.centre(i)};
       continue;
     }
     REQUIRE(left < blobs.size());
@@ -54,7 +54,7 @@ TEST_CASE("what is too faint is accounted for, and all else stays as it is") {
 
 TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
   const vortex::Wall wall(body::circle({}, 0.5), 60);
-  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   const auto moments = [&](double edge) {
     vortex::Problem problem{.flow = {{1, 0}, 0.05},
                             .dt = 0.05,
@@ -71,15 +71,15 @@ TEST_CASE("a body does not notice that a vortex far behind it leaves the box") {
     std::vector<vortex::Wake> wakes;
     for (int k = 1; k <= 6; ++k) {
       wakes.push_back(step(blobs, problem, k, [](std::string_view) {}));
-      problem.retired = wakes.back().retired;
-      const double circulation = invariants(blobs, nullptr).circulation + problem.retired.gamma;
+      problem.outflow = wakes.back().outflow;
+      const double circulation = invariants(blobs, nullptr).circulation + problem.outflow.gamma;
       CHECK(circulation == Approx(0).margin(1e-12));
     }
     return wakes;
   };
   const auto kept = moments(99), left = moments(50);
-  CHECK(kept.back().retired.gamma == 0);
-  CHECK(left.back().retired.gamma > 0.08);  // some children of the two are still inside
+  CHECK(kept.back().outflow.gamma == 0);
+  CHECK(left.back().outflow.gamma > 0.08);  // some children of the two are still inside
   for (std::size_t k = 0; k < kept.size(); ++k) {
     // Two vortices of 0.2 are felt 50 away as 6e-4 of the stream; the body feels all of that cease
     // within one step.
@@ -123,9 +123,9 @@ TEST_CASE("beyond where cores widen, wider blobs stay whole, and more of them me
       for (int j = 0; j < 40; ++j)
         blobs.append({0.5 + distance + 0.01 * scale * i, 0.01 * scale * (j - 20)},
                      1e-4 * scale * scale, 0.02 * scale);
-    vortex::Parts parts = split_apart(blobs, splitting, wall.get(), 1);
-    merge_close(parts, merging);
-    return parts.all.size();
+    vortex::AdaptedBlobs adapted = split_apart(blobs, splitting, wall.get(), 1);
+    merge_close(adapted, merging);
+    return adapted.all.size();
   };
   CHECK(left(81, 1) < 0.3 * left(0.45, 1));
   CHECK(left(800, 1) < 10);

@@ -76,7 +76,7 @@ Run impulsive_start(const vortex::Wall& wall, const fmm::Options& velocity, int 
 
 const Run& by_direct_sum() {
   static const Run run = impulsive_start(
-      cylinder_wall(), fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct});
+      cylinder_wall(), fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct});
   return run;
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("an impulsively started cylinder's drag is that of short times to 2 %,
 TEST_CASE("by the direct sum the flow past a cylinder stays its own mirror image, without lift") {
   const Run& run = by_direct_sum();
   const auto shape = body::circle({}, 0.5);
-  const Blobs blobs = test::acting_there(run.blobs, shape.get());
+  const Blobs blobs = test::folded_there(run.blobs, shape.get());
   CHECK(test::apart(blobs, test::mirrored(blobs)) < 1e-8);  // on the wall, the root of round-off
   for (int k = 1; k <= steps; ++k) {
     CAPTURE(k);
@@ -159,7 +159,7 @@ TEST_CASE("a whole run past a cylinder is the same bits for any number of thread
 
 TEST_CASE("velocity at points is that of stream, blobs and the sheet that holds the body at rest") {
   const vortex::Wall wall = cylinder_wall();
-  const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   Blobs blobs;
   blobs.append({0.1, 0.9}, 1, 0.05);
   blobs.append({0.1, -0.9}, -1, 0.05);
@@ -181,7 +181,7 @@ TEST_CASE("velocity at points is that of stream, blobs and the sheet that holds 
 
 TEST_CASE("a step past a wall names its phases in their order") {
   const vortex::Wall wall = cylinder_wall();
-  const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   const Problem problem = problem_of(wall, velocity);
   std::vector<std::string> names;
   Blobs blobs;

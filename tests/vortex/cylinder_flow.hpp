@@ -40,7 +40,7 @@ inline double swirl(Complex w, Complex z) {
 }
 
 /// Bare velocity of vortices where the wall samples it.
-inline vortex::Velocities sampled(const vortex::Wall& wall, const vortex::Acting& at,
+inline vortex::Velocities sampled(const vortex::Wall& wall, const vortex::FoldedBlobs& at,
                                   const std::vector<double>& gamma) {
   vortex::Velocities u(2 * wall.panels());
   const tree::Points samples = wall.samples();

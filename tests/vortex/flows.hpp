@@ -70,8 +70,8 @@ inline double apart(const vortex::Blobs& a, const vortex::Blobs& b) {
 
 /// Blobs by where they act. On the wall that says less of the centre than of all else: the mean has
 /// its least there, and round-off in it is as the square root in the centre.
-inline vortex::Blobs acting_there(vortex::Blobs blobs, const body::Shape* wall) {
-  vortex::Acting at = acting(blobs, wall);
+inline vortex::Blobs folded_there(vortex::Blobs blobs, const body::Shape* wall) {
+  vortex::FoldedBlobs at = fold(blobs, wall);
   blobs.x = std::move(at.x);
   blobs.y = std::move(at.y);
   return blobs;

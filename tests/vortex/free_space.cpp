@@ -15,7 +15,7 @@ namespace {
 
 constexpr double nu = 1e-3;
 const exact::LambOseen oseen{1.0, 0.2, nu};
-const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
 
 Problem free_vortex(double sigma_max, double tolerance) {
   return {.flow = {{}, nu},

@@ -164,7 +164,7 @@ TEST_CASE("the sheet of NACA 0012 holds the inside at rest, and no fluid goes th
     y.push_back(out.y);
   }
   vortex::Velocities u(x.size());
-  const auto direct = fmm::Options{.cores = fmm::Cores::source, .method = fmm::Method::direct};
+  const auto direct = fmm::Options{.cores = fmm::Cores::source, .method = fmm::SumMethod::direct};
   wall.add_velocity(sheet, direct, {x, y}, u);
   for (std::size_t k = 0; k < inside; ++k)
     CHECK(std::hypot(u.u[k] + std::cos(incidence), u.v[k] + std::sin(incidence)) < 2e-3);

@@ -39,7 +39,7 @@ vortex::Setup spinning(double rate, Vec2 centre = {}) {
   constexpr double nu = 0.01, dt = 0.02;
   vortex::Setup made{.problem = {.flow = {{}, nu, {}, {rate}},
                                  .dt = dt,
-                                 .carrying_cores = std::numbers::sqrt2,
+                                 .advecting_cores = std::numbers::sqrt2,
                                  .sigma_0 = std::sqrt(2 * nu * dt),
                                  .splitting = {.sigma_max = std::sqrt(8 * nu * dt)},
                                  .merging = {.tolerance = 0.04,
@@ -107,7 +107,7 @@ TEST_CASE("the first sheet of a circle that spins is its wall's speed, all aroun
 TEST_CASE(
     "a circle that spins in fluid at rest drags it along as the exact flow, and feels no pull") {
   for (const double rate : {2.0, -2.0}) {
-    vortex::Solver solver(spinning(rate));
+    vortex::VortexSolver solver(spinning(rate));
     const auto silent = [](std::string_view) {};
     while (solver.steps() < 25) solver.step(silent);
     const exact::SpinningCylinder exact{rate, 0.5, 0.01};
@@ -131,7 +131,7 @@ TEST_CASE(
 TEST_CASE("in a stream a circle that spins anticlockwise is pushed to the right of the stream") {
   vortex::Setup setup = spinning(2);
   setup.problem.flow.stream = {1, 0};
-  vortex::Solver solver(std::move(setup));
+  vortex::VortexSolver solver(std::move(setup));
   while (solver.steps() < 15) solver.step([](std::string_view) {});
   const double before = solver.force()->impulse.y;
   while (solver.steps() < 25) solver.step([](std::string_view) {});
@@ -139,9 +139,9 @@ TEST_CASE("in a stream a circle that spins anticlockwise is pushed to the right 
 }
 
 TEST_CASE("a circle spins in the same way wherever it lies") {
-  vortex::Solver here(spinning(2)), there(spinning(2, {16, -8}));
+  vortex::VortexSolver here(spinning(2)), there(spinning(2, {16, -8}));
   for (int n = 0; n < 3; ++n)
-    for (vortex::Solver* solver : {&here, &there}) solver->step([](std::string_view) {});
+    for (vortex::VortexSolver* solver : {&here, &there}) solver->step([](std::string_view) {});
   CHECK(here.blobs() == there.blobs());
   const std::vector<double> x{0.6}, y{0.1}, far_x{16.6}, far_y{-7.9};
   CHECK(here.sample({x, y}).u[0] == Approx(there.sample({far_x, far_y}).u[0]).epsilon(1e-9));

@@ -34,7 +34,7 @@ Levels begun(const std::vector<Leaf>& leaves) {
 // cell ends is never written by who begins it, so that one thread may close what another opens.
 class Walk {
  public:
-  Walk(std::span<const Key> keys, std::vector<Cell>& cells, const Levels& next, int deepest)
+  Walk(std::span<const MortonKey> keys, std::vector<Cell>& cells, const Levels& next, int deepest)
       : keys_(keys), cells_(cells), next_(next), deepest_(deepest) {
     for (int level = 0; level <= max_level; ++level) open_[level] = next[level] - 1;
   }
@@ -50,7 +50,7 @@ class Walk {
 
   // Begins the cells of a leaf and returns the number of the last, its own.
   std::uint32_t open(const Leaf& leaf) {
-    const Key key = keys_[leaf.first];
+    const MortonKey key = keys_[leaf.first];
     for (int level = leaf.met + 1; level <= leaf.level; ++level) {
       const std::uint32_t c = open_[level] = next_[level]++;
       Cell& cell = cells_[c];
@@ -65,7 +65,7 @@ class Walk {
   }
 
  private:
-  std::span<const Key> keys_;
+  std::span<const MortonKey> keys_;
   std::vector<Cell>& cells_;
   Levels next_, open_{};
   int deepest_;
@@ -110,7 +110,7 @@ Quadtree Assembly::over(MortonOrder order) && {
   return tree;
 }
 
-Assembly assemble(std::span<const Key> keys, const LeavesByPiece& leaves) {
+Assembly assemble(std::span<const MortonKey> keys, const LeavesByPiece& leaves) {
   Numbers numbers = number(leaves);
   Assembly grown{std::vector<Cell>(numbers.level_first.back()), std::move(numbers.level_first), {}};
   std::vector<std::size_t> rank(leaves.size() + 1, 0);

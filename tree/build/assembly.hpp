@@ -36,7 +36,7 @@ using LeavesByPiece = std::vector<std::vector<Leaf>>;
 /// ancestors are there already. One that meets nobody begins at a root.
 ///
 /// cost    O(cells); every piece by a thread
-[[nodiscard]] Assembly assemble(std::span<const Key> keys, const LeavesByPiece& leaves);
+[[nodiscard]] Assembly assemble(std::span<const MortonKey> keys, const LeavesByPiece& leaves);
 
 /// What build_forward and build_reverse return, by so many pieces, each the work of one thread. The
 /// number makes no difference.
@@ -51,7 +51,7 @@ using LeavesByPiece = std::vector<std::vector<Leaf>>;
 ///
 /// keys   ascending within each run
 /// runs   not empty, one after the other, together all keys
-[[nodiscard]] Assembly grow_forest(std::span<const Key> keys, std::span<const Range> runs,
+[[nodiscard]] Assembly grow_forest(std::span<const MortonKey> keys, std::span<const Range> runs,
                                    CrowdedRule must_split, std::size_t pieces);
 
 /// Numbers of the childless cells in Morton order.
@@ -59,7 +59,7 @@ using LeavesByPiece = std::vector<std::vector<Leaf>>;
 
 /// The level of the smallest cell that holds both a point and the one before it; -1 if there is no
 /// such cell.
-[[nodiscard]] inline int meeting_level(std::span<const Key> keys, std::uint32_t point) {
+[[nodiscard]] inline int meeting_level(std::span<const MortonKey> keys, std::uint32_t point) {
   return point == 0 || point == keys.size() ? -1 : common_level(keys[point - 1], keys[point]);
 }
 

@@ -14,15 +14,16 @@ namespace vortree::tree {
 namespace {
 
 // Where child q of a family ends, if it ends inside `within`.
-std::uint32_t end_of_child(std::span<const Key> keys, Range within, Key child, int level) {
+std::uint32_t end_of_child(std::span<const MortonKey> keys, Range within, MortonKey child,
+                           int level) {
   return kernel::lower_bound(keys, within, first_descendant(child + 1, level));
 }
 
 // Appends the occupied children of a cell and notes which of them they are.
-void split(std::vector<Cell>& cells, std::uint32_t parent, std::span<const Key> keys,
+void split(std::vector<Cell>& cells, std::uint32_t parent, std::span<const MortonKey> keys,
            std::vector<Cell>& children) {
   const Range points = cells[parent].points;
-  const Key family = cells[parent].key << 2;
+  const MortonKey family = cells[parent].key << 2;
   const int level = cells[parent].level + 1;
   const std::uint32_t middle = end_of_child(keys, points, family + 1, level);
   const std::uint32_t ends[] = {end_of_child(keys, {points.first, middle}, family, level), middle,
@@ -30,7 +31,7 @@ void split(std::vector<Cell>& cells, std::uint32_t parent, std::span<const Key> 
                                 points.last};
   const auto eldest = static_cast<std::uint32_t>(children.size());
   std::uint32_t first = points.first;
-  for (Key q = 0; q < 4; first = ends[q++]) {
+  for (MortonKey q = 0; q < 4; first = ends[q++]) {
     if (first < ends[q]) {
       children.push_back(
           {family + q, level, static_cast<std::int32_t>(parent), {}, {first, ends[q]}});

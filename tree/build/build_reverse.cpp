@@ -62,15 +62,15 @@ class Climber {
   // The cell of a level that holds a point.
   [[nodiscard]] Block around(std::uint32_t point, int level) const {
     const Range all{0, static_cast<std::uint32_t>(keys_.size())};
-    const Key cell = ancestor(keys_[point], level);
+    const MortonKey cell = ancestor(keys_[point], level);
     const std::uint32_t first = kernel::lower_bound(keys_, all, first_descendant(cell, level));
     return grown({level, 0, {first, first}}, level);
   }
 
   // The cell of a level that begins with the points of a block inside it.
   [[nodiscard]] Block grown(const Block& block, int level) const {
-    const Key cell = ancestor(keys_[block.points.first], level);
-    const Key beyond = first_descendant(cell + 1, level);
+    const MortonKey cell = ancestor(keys_[block.points.first], level);
+    const MortonKey beyond = first_descendant(cell + 1, level);
     const std::uint32_t last = kernel::gallop(keys_, block.points.last, beyond);
     return {level, domain_.cell_side(level), {block.points.first, last}};
   }
@@ -111,7 +111,7 @@ class Climber {
     return low;
   }
 
-  std::span<const Key> keys_;
+  std::span<const MortonKey> keys_;
   const Domain& domain_;
   int finest_;
   const SplitRule& must_split_;
@@ -121,7 +121,7 @@ class Climber {
 // places on, and it must not hold the one before.
 class Reacher {
  public:
-  Reacher(std::span<const Key> keys, int finest, CrowdedRule rule)
+  Reacher(std::span<const MortonKey> keys, int finest, CrowdedRule rule)
       : keys_(keys), finest_(finest), n_ctrl_(rule.n_ctrl) {}
 
   [[nodiscard]] ClimbedCell climb(std::uint32_t first, int met, int /*start*/) const {
@@ -129,7 +129,7 @@ class Reacher {
     const bool many = n - first > n_ctrl_;
     const int crowded = many ? common_level(keys_[first], keys_[first + n_ctrl_]) : -1;
     const int level = std::min(finest_, 1 + std::max(met, crowded));
-    const Key beyond = first_descendant(ancestor(keys_[first], level) + 1, level);
+    const MortonKey beyond = first_descendant(ancestor(keys_[first], level) + 1, level);
     const std::uint32_t reach = many ? first + n_ctrl_ : n;
     const std::uint32_t last = kernel::lower_bound(keys_, {first, reach}, beyond);
     // Only at the finest level there may be more.
@@ -148,7 +148,7 @@ class Reacher {
   }
 
  private:
-  std::span<const Key> keys_;
+  std::span<const MortonKey> keys_;
   int finest_;
   std::uint32_t n_ctrl_;
 };
@@ -156,8 +156,8 @@ class Reacher {
 // Appends the childless cells that begin in some piece of the points. Leaves count points from
 // `offset`.
 template <class Finder>
-void add_leaves(Range points, std::span<const Key> keys, const Finder& finder, std::uint32_t offset,
-                std::vector<Leaf>& leaves) {
+void add_leaves(Range points, std::span<const MortonKey> keys, const Finder& finder,
+                std::uint32_t offset, std::vector<Leaf>& leaves) {
   int level = max_level;
   std::uint32_t first = points.first == 0 ? 0 : finder.end_of_cell(points.first - 1);
   while (first < points.last) {
@@ -171,7 +171,8 @@ void add_leaves(Range points, std::span<const Key> keys, const Finder& finder, s
 }
 
 template <class Finder>
-LeavesByPiece find_leaves(std::span<const Key> keys, const Finder& finder, std::size_t pieces) {
+LeavesByPiece find_leaves(std::span<const MortonKey> keys, const Finder& finder,
+                          std::size_t pieces) {
   LeavesByPiece leaves(pieces);
   for_each_piece(pieces, [&](std::size_t p) {
     add_leaves(piece(keys.size(), p, pieces), keys, finder, 0, leaves[p]);
@@ -189,14 +190,14 @@ Assembly grow_reverse(const MortonOrder& order, const SplitRule& must_split, std
   return assemble(order.keys, leaves);
 }
 
-Assembly grow_forest(std::span<const Key> keys, std::span<const Range> runs, CrowdedRule must_split,
-                     std::size_t pieces) {
+Assembly grow_forest(std::span<const MortonKey> keys, std::span<const Range> runs,
+                     CrowdedRule must_split, std::size_t pieces) {
   LeavesByPiece leaves(pieces);
   for_each_piece(pieces, [&](std::size_t p) {
     const Range part = piece(keys.size(), p, pieces);
     auto run = std::ranges::upper_bound(runs, part.first, {}, &Range::first) - 1;
     for (; run != runs.end() && run->first < part.last; ++run) {
-      const std::span<const Key> own = keys.subspan(run->first, run->size());
+      const std::span<const MortonKey> own = keys.subspan(run->first, run->size());
       const std::uint32_t first = std::max(part.first, run->first) - run->first;
       const std::uint32_t last = std::min(part.last, run->last) - run->first;
       add_leaves({first, last}, own, Reacher(own, max_level, must_split), run->first, leaves[p]);

@@ -9,9 +9,9 @@ namespace {
 constexpr Colleagues nobody{-1, -1, -1, -1, -1, -1, -1, -1, -1};
 
 // The children of nine colleagues, as 6 x 6 places of the level below.
-class Patch {
+class ColleaguePatch {
  public:
-  Patch(std::span<const Cell> cells, const Colleagues& parents) {
+  ColleaguePatch(std::span<const Cell> cells, const Colleagues& parents) {
     place_.fill(-1);
     for (int k = 0; k < 9; ++k) {
       if (parents[k] < 0) continue;
@@ -45,7 +45,7 @@ void start(std::size_t cells, std::vector<Colleagues>& colleagues) {
 void give_to_children(std::span<const Cell> cells, std::uint32_t parent,
                       std::vector<Colleagues>& colleagues) {
   if (cells[parent].childless()) return;
-  Patch patch(cells, colleagues[parent]);
+  ColleaguePatch patch(cells, colleagues[parent]);
   const Range children = cells[parent].children;
   for (std::uint32_t child = children.first; child < children.last; ++child) {
     colleagues[child] = patch.around(static_cast<int>(cells[child].key & 3));

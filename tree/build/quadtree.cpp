@@ -12,7 +12,7 @@ namespace vortree::tree {
 
 namespace {
 
-bool inside(const Cell& cell, std::span<const Key> keys) {
+bool inside(const Cell& cell, std::span<const MortonKey> keys) {
   return !cell.points.empty() && cell.points.last <= keys.size() &&
          ancestor(keys[cell.points.first], cell.level) == cell.key &&
          ancestor(keys[cell.points.last - 1], cell.level) == cell.key;

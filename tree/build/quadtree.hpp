@@ -17,7 +17,7 @@ namespace vortree::tree {
 /// children  the occupied children, one run of cells; empty if childless
 /// points    the points inside, one run in Morton order; never empty
 struct Cell {
-  Key key = 0;
+  MortonKey key = 0;
   int level = 0;
   std::int32_t parent = -1;
   Range children, points;
@@ -64,7 +64,7 @@ class Quadtree {
 
   /// order()[j] is the input position of the j-th point in Morton order, keys()[j] its code.
   [[nodiscard]] std::span<const std::uint32_t> order() const { return order_.index; }
-  [[nodiscard]] std::span<const Key> keys() const { return order_.keys; }
+  [[nodiscard]] std::span<const MortonKey> keys() const { return order_.keys; }
 
   /// domain().side / 2^level: exact.
   [[nodiscard]] double side(int level) const { return domain().cell_side(level); }

@@ -11,8 +11,9 @@
 namespace vortree::tree::kernel {
 
 /// The first position in `within` whose key is not less than `bound`; within.last if there is none.
-[[nodiscard]] inline std::uint32_t lower_bound(std::span<const Key> keys, Range within, Key bound) {
-  const Key* base = keys.data() + within.first;
+[[nodiscard]] inline std::uint32_t lower_bound(std::span<const MortonKey> keys, Range within,
+                                               MortonKey bound) {
+  const MortonKey* base = keys.data() + within.first;
   std::uint32_t size = within.size();
   while (size > 0) {
     const std::uint32_t half = (size + 1) / 2;
@@ -23,8 +24,8 @@ namespace vortree::tree::kernel {
 }
 
 /// The same from `from` to the end of the keys, in O(log distance): steps double until one is past.
-[[nodiscard]] inline std::uint32_t gallop(std::span<const Key> keys, std::uint32_t from,
-                                          Key bound) {
+[[nodiscard]] inline std::uint32_t gallop(std::span<const MortonKey> keys, std::uint32_t from,
+                                          MortonKey bound) {
   const std::size_t n = keys.size();
   std::size_t low = from, step = 16;
   while (low + step < n && keys[low + step] < bound) {

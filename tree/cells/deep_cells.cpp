@@ -68,7 +68,7 @@ class Sorting {
     if (all.run.size() <= deep_crowd || base >= ExactGrid::bottom) return add(all.run, all.level);
     if (all.level == 0) root_ = base;
     const std::size_t n = all.run.size();
-    const std::span<Key> keys(&keys_[all.run.first], n);
+    const std::span<MortonKey> keys(&keys_[all.run.first], n);
     const std::span<std::uint32_t> order(&order_[all.run.first], n);
     for (std::size_t k = 0; k < n; ++k) keys[k] = address(order[k], base);
     radix_sort(keys, order);
@@ -104,8 +104,9 @@ class Sorting {
     return shared >= ExactGrid::bottom ? shared : std::min(shared, grid_.spanning(largest));
   }
 
-  [[nodiscard]] Key address(std::uint32_t p, int base) const {
-    const Key code = encode({grid_.window(placed_.x[p], base), grid_.window(placed_.y[p], base)});
+  [[nodiscard]] MortonKey address(std::uint32_t p, int base) const {
+    const MortonKey code =
+        encode({grid_.window(placed_.x[p], base), grid_.window(placed_.y[p], base)});
     const int level = std::min(grid_.spanning(placed_.reach[p]) - base, levels_at_a_time);
     return kernel::Addresses{}.of(code, level);
   }
@@ -113,7 +114,7 @@ class Sorting {
   const SortedParticles& placed_;
   const ExactGrid& grid_;
   Unwritten<std::uint32_t> order_;
-  Unwritten<Key> keys_;
+  Unwritten<MortonKey> keys_;
   int root_ = 0;
   std::vector<Crowd> waiting_;
   std::vector<OwnCell> cells_;

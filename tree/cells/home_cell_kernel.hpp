@@ -36,29 +36,30 @@ struct Addresses {
   [[nodiscard]] int bits() const { return 2 * finest + level_bits(); }
 
   /// Of the cell of a level that holds a level-31 code.
-  [[nodiscard]] Key of(Key code, int level) const {
+  [[nodiscard]] MortonKey of(MortonKey code, int level) const {
     const int inside = 2 * (max_level - level), below = 2 * (max_level - finest);
-    return (code >> inside << inside) >> below << level_bits() | static_cast<Key>(level - coarsest);
+    return (code >> inside << inside) >> below << level_bits() |
+           static_cast<MortonKey>(level - coarsest);
   }
   /// Level-31 code of its corner.
-  [[nodiscard]] Key corner(Key address) const {
+  [[nodiscard]] MortonKey corner(MortonKey address) const {
     return address >> level_bits() << 2 * (max_level - finest);
   }
-  [[nodiscard]] int level(Key address) const {
-    return coarsest + static_cast<int>(address & ((Key{1} << level_bits()) - 1));
+  [[nodiscard]] int level(MortonKey address) const {
+    return coarsest + static_cast<int>(address & ((MortonKey{1} << level_bits()) - 1));
   }
 };
 
 /// Replaces the level-31 codes of n particles by the addresses of their own cells.
 inline void plain_own_cells(const Addresses& addresses, double side, const double* reach,
-                            std::size_t n, Key* codes) {
+                            std::size_t n, MortonKey* codes) {
   for (std::size_t i = 0; i < n; ++i) {
     codes[i] = addresses.of(codes[i], own_level(side, reach[i]));
   }
 }
 
 inline void home_cells(const Addresses& addresses, double side, const double* reach, std::size_t n,
-                       Key* codes) {
+                       MortonKey* codes) {
   using Words [[gnu::vector_size(register_bytes)]] = std::uint64_t;
   const int below = 2 * (max_level - addresses.finest), level_bits = addresses.level_bits();
   std::size_t i = 0;

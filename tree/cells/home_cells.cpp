@@ -91,12 +91,12 @@ struct AddressFrame {
         addresses{kernel::own_level(spanned, reach.most), kernel::own_level(spanned, reach.least)} {
   }
 
-  void locate(Points points, std::span<const double> reach, Range some, Key* to) const {
+  void locate(Points points, std::span<const double> reach, Range some, MortonKey* to) const {
     const double scale = 0x1p31 / domain.side;
     const kernel::DomainAxis x{domain.x0, domain.x0 + domain.side, scale};
     const kernel::DomainAxis y{domain.y0, domain.y0 + domain.side, scale};
-    (void)kernel::codes(&points.x[some.first], &points.y[some.first], some.size(), x, y, ~Key{0},
-                        to);
+    (void)kernel::codes(&points.x[some.first], &points.y[some.first], some.size(), x, y,
+                        ~MortonKey{0}, to);
     kernel::home_cells(addresses, spanned, &reach[some.first], some.size(), to);
   }
 };
@@ -115,7 +115,7 @@ void pack(Points points, std::span<const double> reach, Range some, ParticleReco
 
 // A particle on its way.
 struct Located {
-  Key address;
+  MortonKey address;
   std::uint32_t particle;
 };
 
@@ -126,7 +126,7 @@ void lay_out(const ParticleRecords& particles, const Sorted& sorted, Range some,
              SortedParticles& placed, std::vector<std::uint32_t>& begins) {
   std::array<std::uint32_t, located_at_once> fresh;
   std::size_t count = 0;
-  Key last = some.first == 0 ? ~Key{0} : sorted(some.first - 1).address;
+  MortonKey last = some.first == 0 ? ~MortonKey{0} : sorted(some.first - 1).address;
   for (std::uint32_t j = some.first; j < some.last; ++j) {
     const Located here = sorted(j);
     const Particle& particle = particles[here.particle];
@@ -155,7 +155,7 @@ HomeCells lay_out(const ParticleRecords& particles, const AddressFrame& frame, c
   cells.corner.resize(cells.first.size());
   cells.level.resize(cells.first.size());
   for (std::size_t c = 0; c < cells.first.size(); ++c) {
-    const Key address = sorted(cells.first[c]).address;
+    const MortonKey address = sorted(cells.first[c]).address;
     cells.corner[c] = frame.addresses.corner(address);
     cells.level[c] = static_cast<std::int16_t>(frame.addresses.level(address));
   }
@@ -184,7 +184,7 @@ HomeCells sort_numbers(Points points, std::span<const double> reach, const Addre
 }
 
 HomeCells sort_keys(Points points, std::span<const double> reach, const AddressFrame& frame,
-                    std::vector<Key> keys, Unwritten<std::uint32_t> order,
+                    std::vector<MortonKey> keys, Unwritten<std::uint32_t> order,
                     SortedParticles& placed) {
   radix_sort(keys, order);
   ParticleRecords particles(points.size());
@@ -225,7 +225,7 @@ HomeCells sort_into_own_cells(Points points, std::span<const double> reach,
   if (frame.addresses.bits() + particle_bits <= 64) {
     return sort_numbers(points, reach, frame, particle_bits, placed);
   }
-  std::vector<Key> keys(n);
+  std::vector<MortonKey> keys(n);
   for_each_portion(n, [&](std::size_t /*piece*/, Range some) {
     frame.locate(points, reach, some, &keys[some.first]);
   });
@@ -237,7 +237,7 @@ HomeCells sort_into_own_cells(const Quadtree& tree, Points points, std::span<con
   AddressFrame frame(tree.domain(), extremes(reach));
   frame.addresses.coarsest = 0;
   const auto order = tree.order();
-  std::vector<Key> keys(reach.size());
+  std::vector<MortonKey> keys(reach.size());
   for (const std::uint32_t c : tree.childless()) {
     const Cell& leaf = tree.cells()[c];
     for (std::uint32_t j = leaf.points.first; j < leaf.points.last; ++j) {

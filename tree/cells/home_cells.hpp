@@ -23,7 +23,7 @@ namespace vortree::tree {
 /// first     where the particles of every cell begin, and the end of the last
 struct HomeCells {
   Domain domain;
-  Unwritten<Key> corner;
+  Unwritten<MortonKey> corner;
   std::vector<std::int16_t> level;
   std::vector<std::uint32_t> first;
 

@@ -29,7 +29,7 @@ struct DomainAxis {
 /// Codes of n points, and how many of them lie outside.
 [[nodiscard]] inline std::size_t plain_codes(const double* x, const double* y, std::size_t n,
                                              const DomainAxis& along_x, const DomainAxis& along_y,
-                                             Key mask, Key* codes) {
+                                             MortonKey mask, MortonKey* codes) {
   std::size_t strays = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const bool in_x = along_x.holds(x[i]), in_y = along_y.holds(y[i]);
@@ -84,7 +84,7 @@ inline Bits spread_lanes(HalfWhole number) {
 
 [[nodiscard]] inline std::size_t codes(const double* x, const double* y, std::size_t n,
                                        const DomainAxis& along_x, const DomainAxis& along_y,
-                                       Key mask, Key* codes) {
+                                       MortonKey mask, MortonKey* codes) {
   const auto cell = [](Lanes v, const DomainAxis& axis) {
     const Lanes q = (v - axis.first) * axis.scale;
     return truncated(smaller(larger(q, Lanes{}), fill(DomainAxis::last_cell)));
@@ -110,7 +110,7 @@ inline Bits spread_lanes(HalfWhole number) {
 
 [[nodiscard]] inline std::size_t codes(const double* x, const double* y, std::size_t n,
                                        const DomainAxis& along_x, const DomainAxis& along_y,
-                                       Key mask, Key* codes) {
+                                       MortonKey mask, MortonKey* codes) {
   return plain_codes(x, y, n, along_x, along_y, mask, codes);
 }
 

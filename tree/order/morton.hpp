@@ -17,9 +17,9 @@ namespace vortree::tree {
 ///
 /// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), steps 5-7, corrected: the family
 ///         of four at level m starts at F + {0, 1, 2, 3} 4^(L-m), F a multiple of 4^(L-m+1)
-using Key = std::uint64_t;
+using MortonKey = std::uint64_t;
 
-/// The finest level there is: 2 * 31 bits fit a Key.
+/// The finest level there is: 2 * 31 bits fit a MortonKey.
 inline constexpr int max_level = 31;
 
 /// Column and row of a cell within its level.
@@ -28,26 +28,26 @@ struct GridCell {
   bool operator==(const GridCell&) const = default;
 };
 
-[[nodiscard]] constexpr Key encode(GridCell cell) {
+[[nodiscard]] constexpr MortonKey encode(GridCell cell) {
   return kernel::spread_bits(cell.ix) | kernel::spread_bits(cell.iy) << 1;
 }
 
-[[nodiscard]] constexpr GridCell decode(Key key) {
+[[nodiscard]] constexpr GridCell decode(MortonKey key) {
   return {kernel::gather_bits(key), kernel::gather_bits(key >> 1)};
 }
 
 /// The code of the cell of a level that holds the level-31 cell `finest`.
-[[nodiscard]] constexpr Key ancestor(Key finest, int level) {
+[[nodiscard]] constexpr MortonKey ancestor(MortonKey finest, int level) {
   return finest >> 2 * (max_level - level);
 }
 
 /// The first level-31 code inside the cell (key, level); key may be one past the last of its level.
-[[nodiscard]] constexpr Key first_descendant(Key key, int level) {
+[[nodiscard]] constexpr MortonKey first_descendant(MortonKey key, int level) {
   return key << 2 * (max_level - level);
 }
 
 /// The level of the smallest cell that holds both level-31 codes; 31 if they are equal.
-[[nodiscard]] constexpr int common_level(Key a, Key b) {
+[[nodiscard]] constexpr int common_level(MortonKey a, MortonKey b) {
   // Two unused bits lead every 62-bit code.
   return (std::countl_zero((a ^ b) | 1) - 2 + static_cast<int>(a == b)) / 2;
 }

@@ -21,16 +21,16 @@ namespace vortree::tree {
 
 namespace {
 
-Key differing_bits(std::span<const Key> keys) {
-  Key differing = 0;
-  const Key first = keys[0];
+MortonKey differing_bits(std::span<const MortonKey> keys) {
+  MortonKey differing = 0;
+  const MortonKey first = keys[0];
 #pragma omp parallel for schedule(static) reduction(| : differing) if (keys.size() > worth_sharing)
   for (std::size_t i = 0; i < keys.size(); ++i) differing |= keys[i] ^ first;
   return differing;
 }
 
-Key differing_bits(std::span<const Record> records) {
-  Key differing = 0;
+MortonKey differing_bits(std::span<const Record> records) {
+  MortonKey differing = 0;
 #pragma omp parallel for schedule(static) \
     reduction(|                           \
               : differing) if (records.size() > worth_sharing)
@@ -39,7 +39,7 @@ Key differing_bits(std::span<const Record> records) {
 }
 
 // At most so many bits, from the highest one that differs.
-Digit highest_digit(Key differing, int most) {
+Digit highest_digit(MortonKey differing, int most) {
   const int width = std::bit_width(differing);
   return {std::max(0, width - most), std::min(most, width)};
 }
@@ -49,25 +49,26 @@ Digit highest_digit(Key differing, int most) {
 class Splitters {
  public:
   explicit Splitters(std::span<const Record> records) {
-    std::array<Key, picked> sample;
+    std::array<MortonKey, picked> sample;
     for (std::size_t s = 0; s < picked; ++s) {
       sample[s] = records[s * records.size() / picked].key;
     }
     std::ranges::sort(sample);
-    std::array<Key, buckets - 1> bounds;
-    bounds.fill(~Key{0});
+    std::array<MortonKey, buckets - 1> bounds;
+    bounds.fill(~MortonKey{0});
     std::size_t n = 0;
     for (std::size_t s = picked_a_bucket; s < picked; s += picked_a_bucket) {
       const bool twice = sample[s] == sample[s - 1];
       if (n == 0 || sample[s] > bounds[n - 1]) bounds[n++] = sample[s];
-      if (twice && sample[s] >= bounds[n - 1] && sample[s] != ~Key{0}) bounds[n++] = sample[s] + 1;
+      if (twice && sample[s] >= bounds[n - 1] && sample[s] != ~MortonKey{0})
+        bounds[n++] = sample[s] + 1;
     }
     plant(bounds, 0, 1);
   }
 
   [[nodiscard]] static std::size_t count() { return buckets; }
   // The number of bounds that are not above a key, down a binary tree.
-  [[nodiscard]] std::size_t operator()(Key key) const {
+  [[nodiscard]] std::size_t operator()(MortonKey key) const {
     std::size_t place = 1;
 #pragma GCC unroll 8
     for (int level = 0; level < splitter_levels; ++level) place = 2 * place + (key >= tree_[place]);
@@ -79,7 +80,7 @@ class Splitters {
   static constexpr std::size_t picked = buckets / 2 * picked_a_bucket;  // a bucket may become two
 
   // The bounds from `first` on in order below and at a place of the tree; returns the next one.
-  std::size_t plant(const std::array<Key, buckets - 1>& bounds, std::size_t first,
+  std::size_t plant(const std::array<MortonKey, buckets - 1>& bounds, std::size_t first,
                     std::size_t place) {
     if (place >= buckets) return first;
     first = plant(bounds, first, 2 * place);
@@ -87,7 +88,7 @@ class Splitters {
     return plant(bounds, first + 1, 2 * place + 1);
   }
 
-  std::array<Key, buckets> tree_;
+  std::array<MortonKey, buckets> tree_;
 };
 
 // Moves n things to buckets by their digits. Each portion of them counts for itself, so that
@@ -121,7 +122,7 @@ std::vector<std::uint32_t> part(std::size_t n, std::size_t some, const Digits& d
 
 class Sorter {
  public:
-  Sorter(std::span<Key> keys, std::span<std::uint32_t> index)
+  Sorter(std::span<MortonKey> keys, std::span<std::uint32_t> index)
       : keys_(keys), index_(index), records_(keys.size()) {
     const auto threads = static_cast<std::size_t>(omp_get_max_threads());
     const bool shared = threads > 1 && keys.size() > worth_sharing;
@@ -130,7 +131,7 @@ class Sorter {
 
   // index_of(i) belongs to key i.
   template <class IndexOf>
-  void run(Key differing, const IndexOf& index_of) {
+  void run(MortonKey differing, const IndexOf& index_of) {
     const std::size_t n = keys_.size();
     const int bits = (static_cast<int>(std::bit_width(n)) + 2) / 2;
     const Digit digit = highest_digit(differing, std::min(first_digit_bits, bits));
@@ -140,7 +141,7 @@ class Sorter {
           records_[to] = {keys_[i], index_of(i)};
         });
     collect(0, ends);
-    const Key left = differing & ((Key{1} << digit.low) - 1);
+    const MortonKey left = differing & ((MortonKey{1} << digit.low) - 1);
 #pragma omp parallel if (n > worth_sharing)
     {
       RunSort sort_run;
@@ -152,7 +153,7 @@ class Sorter {
  private:
   // Parts a bucket anew so that no part is all of it: a crowd by splitters, few by the next bits
   // that differ.
-  std::vector<std::uint32_t> part_again(Range bucket, Key differing, std::size_t some) {
+  std::vector<std::uint32_t> part_again(Range bucket, MortonKey differing, std::size_t some) {
     return bucket.size() > crowded_keys
                ? part_by(Splitters(records(bucket)), bucket, some)
                : part_by(highest_digit(differing, next_digit_bits), bucket, some);
@@ -179,7 +180,7 @@ class Sorter {
       const Range bucket{first, begin + end};
       first = bucket.last;
       if (bucket.empty()) continue;
-      const Key differing = bucket.size() > large_ ? differing_bits(records(bucket)) : 0;
+      const MortonKey differing = bucket.size() > large_ ? differing_bits(records(bucket)) : 0;
       if (differing != 0) {
         collect(bucket.first, part_again(bucket, differing, shared_pieces));
       } else {
@@ -189,9 +190,9 @@ class Sorter {
   }
 
   // `differing` bits may be; whether they do is only asked if they are too many.
-  void sort(Range bucket, Key differing, RunSort& sort_run) {
+  void sort(Range bucket, MortonKey differing, RunSort& sort_run) {
     const int most = RunSort::most_bits(bucket.size());
-    const auto few = [=](Key bits) {
+    const auto few = [=](MortonKey bits) {
       return bits == 0 ||
              (bucket.size() <= crowded_keys && static_cast<int>(std::bit_width(bits)) <= most);
     };
@@ -213,7 +214,7 @@ class Sorter {
     return std::span(records_).subspan(bucket.first, bucket.size());
   }
 
-  std::span<Key> keys_;
+  std::span<MortonKey> keys_;
   std::span<std::uint32_t> index_;
   Unwritten<Record> records_;
   std::vector<Range> buckets_;
@@ -222,9 +223,9 @@ class Sorter {
 
 }  // namespace
 
-Unwritten<std::uint32_t> radix_sort(std::span<Key> keys) {
+Unwritten<std::uint32_t> radix_sort(std::span<MortonKey> keys) {
   Unwritten<std::uint32_t> index(keys.size());
-  const Key differing = keys.empty() ? 0 : differing_bits(keys);
+  const MortonKey differing = keys.empty() ? 0 : differing_bits(keys);
   if (differing == 0) {
     std::iota(index.begin(), index.end(), 0u);
   } else {
@@ -233,12 +234,12 @@ Unwritten<std::uint32_t> radix_sort(std::span<Key> keys) {
   return index;
 }
 
-void radix_sort(std::span<Key> keys, std::span<std::uint32_t> index) {
+void radix_sort(std::span<MortonKey> keys, std::span<std::uint32_t> index) {
   if (index.size() != keys.size()) {
     throw std::invalid_argument("radix_sort: " + std::to_string(keys.size()) + " keys but " +
                                 std::to_string(index.size()) + " indices");
   }
-  const Key differing = keys.empty() ? 0 : differing_bits(keys);
+  const MortonKey differing = keys.empty() ? 0 : differing_bits(keys);
   if (differing == 0) return;
   Sorter(keys, index).run(differing, [&](std::size_t i) { return index[i]; });
 }

@@ -19,11 +19,11 @@ namespace vortree::tree {
 /// or
 ///         twice more; 16 bytes a key of spare memory
 /// threads OpenMP; the result is the same for any number
-[[nodiscard]] Unwritten<std::uint32_t> radix_sort(std::span<Key> keys);
+[[nodiscard]] Unwritten<std::uint32_t> radix_sort(std::span<MortonKey> keys);
 
 /// The same, carrying an index along.
 ///
 /// throws  std::invalid_argument if the sizes differ
-void radix_sort(std::span<Key> keys, std::span<std::uint32_t> index);
+void radix_sort(std::span<MortonKey> keys, std::span<std::uint32_t> index);
 
 }  // namespace vortree::tree

@@ -42,8 +42,8 @@ int RunSort::most_bits(std::size_t n) {
   return 64 - static_cast<int>(std::bit_width(n - 1));
 }
 
-void RunSort::operator()(std::span<const Record> run, Key differing, std::span<Key> keys,
-                         std::span<std::uint32_t> index) {
+void RunSort::operator()(std::span<const Record> run, MortonKey differing,
+                         std::span<MortonKey> keys, std::span<std::uint32_t> index) {
   const std::size_t n = run.size();
   if (numbers_.size() < n) numbers_.resize(n), spare_.resize(n);
   const std::span<std::uint64_t> numbers(numbers_.data(), n);
@@ -63,10 +63,10 @@ void RunSort::operator()(std::span<const Record> run, Key differing, std::span<K
 }
 
 // What shares all bits that count is rare in a short run: insertion puts it right.
-void RunSort::whole(std::span<Key> keys, std::span<std::uint32_t> index) {
+void RunSort::whole(std::span<MortonKey> keys, std::span<std::uint32_t> index) {
   const std::size_t n = keys.size();
   records_.resize(n);
-  Key differing = 0;
+  MortonKey differing = 0;
   for (std::size_t i = 0; i < n; ++i) {
     records_[i] = {keys[i], index[i]};
     differing |= keys[i] ^ keys[0];

@@ -10,7 +10,7 @@ namespace vortree::tree {
 
 /// A code on its way, and what it belongs to.
 struct Record {
-  Key key;
+  MortonKey key;
   std::uint32_t index;
 };
 
@@ -31,13 +31,13 @@ class RunSort {
   ///
   /// differing    no two keys of the run differ in other bits
   /// keys, index  as long as the run
-  void operator()(std::span<const Record> run, Key differing, std::span<Key> keys,
+  void operator()(std::span<const Record> run, MortonKey differing, std::span<MortonKey> keys,
                   std::span<std::uint32_t> index);
 
   /// Sorts keys by all of their bits, in place, carrying an index along.
   ///
   /// keys   at most `most_whole`
-  void whole(std::span<Key> keys, std::span<std::uint32_t> index);
+  void whole(std::span<MortonKey> keys, std::span<std::uint32_t> index);
   static constexpr std::size_t most_whole = 512;
 
  private:

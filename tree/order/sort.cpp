@@ -42,13 +42,13 @@ void check_request(Points points, const Domain& domain, int finest) {
   throw std::invalid_argument("morton_order: " + text.str());
 }
 
-Unwritten<Key> encode_points(Points points, const Domain& domain, int finest) {
+Unwritten<MortonKey> encode_points(Points points, const Domain& domain, int finest) {
   const double scale = 0x1p31 / domain.side;
   const kernel::DomainAxis x{domain.x0, domain.x0 + domain.side, scale};
   const kernel::DomainAxis y{domain.y0, domain.y0 + domain.side, scale};
-  const Key mask = ~Key{0} << 2 * (max_level - finest);
+  const MortonKey mask = ~MortonKey{0} << 2 * (max_level - finest);
   const std::size_t n = points.size();
-  Unwritten<Key> keys(n);
+  Unwritten<MortonKey> keys(n);
   std::size_t strays = 0;
 #pragma omp parallel for schedule(static) reduction(+ : strays) if (n > worth_sharing)
   for (std::size_t first = 0; first < n; first += encoded_at_once) {

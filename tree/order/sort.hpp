@@ -15,7 +15,7 @@ namespace vortree::tree {
 struct MortonOrder {
   Domain domain;
   int finest = max_level;
-  Unwritten<Key> keys;
+  Unwritten<MortonKey> keys;
   Unwritten<std::uint32_t> index;
   bool operator==(const MortonOrder&) const = default;
 };

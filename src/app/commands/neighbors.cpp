@@ -7,9 +7,9 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "app/json.hpp"
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
 #include "base/memory.hpp"
@@ -21,8 +21,6 @@
 
 namespace vortree::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Laps {
   std::vector<double> tree, search, total;
@@ -42,7 +40,7 @@ void search(bench::NeighborMethod& method, const bench::NeighborJob& job, tree::
 }
 
 // 64-bit counts, 32-bit numbers of particles.
-io::Particles read_particles(const NeighborsJob& job) {
+io::ParticleFile read_particles(const NeighborsJob& job) {
   const io::WhileReading reading(job.in);
   auto particles = io::read_particles(job.in, {.reach = io::Need::required});
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
@@ -92,8 +90,8 @@ Laps search(const NeighborsJob& job, const bench::NeighborMaker& maker,
 }
 
 void write_rows(const std::filesystem::path& out, const tree::PairList& rows) {
-  const std::array columns{io::Column{"start", rows.start.span()},
-                           io::Column{"index", rows.index.span()}};
+  const std::array columns{io::ParticleColumn{"start", rows.start.span()},
+                           io::ParticleColumn{"index", rows.index.span()}};
   io::write_columns(out, columns);
 }
 
@@ -120,7 +118,7 @@ std::string neighbors(const NeighborsJob& job) {
   Stopwatch files;
   files.begin("io");
   io::require_writable(job.out, std::array{job.in});
-  const io::Particles particles = read_particles(job);
+  const io::ParticleFile particles = read_particles(job);
   files.end();
 
   const auto listing = job.half ? tree::Listing::once : tree::Listing::both_ways;

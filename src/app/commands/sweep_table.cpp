@@ -47,12 +47,12 @@ std::vector<std::pair<std::size_t, std::size_t>> groups(const SweepPlan& plan, s
   return result;
 }
 
-struct Curve {
+struct ErrorCurve {
   std::vector<double> h, e;
 };
 
-Curve curve(std::span<const Member> members, const std::string& what) {
-  Curve c;
+ErrorCurve curve(std::span<const Member> members, const std::string& what) {
+  ErrorCurve c;
   for (const Member& m : members) {
     c.h.push_back(number_or_nan(m.values.back()));
     c.e.push_back(reached(m, what));
@@ -65,11 +65,11 @@ std::string text(double number, const char* digits) {
   return std::isfinite(number) ? fmt::format(fmt::runtime(digits), number) : "";
 }
 
-using Cells = std::vector<std::string>;
+using RowCells = std::vector<std::string>;
 
-Cells row_of(const Member& m, std::span<const std::string> errors,
-             std::span<const std::vector<double>> order, std::size_t i) {
-  Cells row = m.values;
+RowCells row_of(const Member& m, std::span<const std::string> errors,
+                std::span<const std::vector<double>> order, std::size_t i) {
+  RowCells row = m.values;
   const RunResult& r = m.result;
   if (m.failure.empty())
     row.insert(row.end(), {fmt::format("{}", r.steps), fmt::format("{}", r.most_particles),
@@ -82,18 +82,18 @@ Cells row_of(const Member& m, std::span<const std::string> errors,
 }
 
 /// The orders that fit all of a group; nothing where there is none.
-Cells fitted_row(std::span<const Member> group, std::span<const std::string> errors,
-                 std::size_t axes) {
-  Cells fitted(axes + 3 + 2 * errors.size());
+RowCells fitted_row(std::span<const Member> group, std::span<const std::string> errors,
+                    std::size_t axes) {
+  RowCells fitted(axes + 3 + 2 * errors.size());
   bool any = false;
   for (std::size_t k = 0; k < errors.size(); ++k) {
-    const Curve c = curve(group, errors[k]);
+    const ErrorCurve c = curve(group, errors[k]);
     const double order = group.size() < 3 ? unknown : checks::fitted_order(c.h, c.e);
     fitted[axes + 4 + 2 * k] = text(order, "{:.2f}");
     any = any || std::isfinite(order);
   }
   fitted[axes - 1] = "all";
-  return any ? fitted : Cells{};
+  return any ? fitted : RowCells{};
 }
 
 /// Words that hold a comma are quoted.
@@ -103,7 +103,7 @@ std::string cell(const std::string& word) {
 
 /// `drag_max 0.03 of 0.02, ...` of what was missed.
 std::string missed(const Member& m) {
-  Cells words;
+  RowCells words;
   for (const checks::Verdict& v : m.result.verdicts)
     if (v.missed())
       words.push_back(fmt::format(
@@ -127,22 +127,22 @@ std::string name_of(const SweepPlan& plan, const Member& member) {
 }
 
 std::string table(const SweepPlan& plan, std::span<const Member> members) {
-  const Cells errors = errors_of(members);
-  Cells headings;
+  const RowCells errors = errors_of(members);
+  RowCells headings;
   for (const Axis& axis : plan.axes) headings.push_back(axis.key);
   headings.insert(headings.end(), {"steps", "blobs", "seconds"});
   for (const std::string& what : errors) headings.insert(headings.end(), {what, "order"});
-  std::vector<Cells> rows;
+  std::vector<RowCells> rows;
   for (const auto& [first, last] : groups(plan, members.size())) {
     const auto group = members.subspan(first, last - first);
     std::vector<std::vector<double>> order;
     for (const std::string& what : errors) {
-      const Curve c = curve(group, what);
+      const ErrorCurve c = curve(group, what);
       order.push_back(checks::orders(c.h, c.e));
     }
     for (std::size_t i = 0; i < group.size(); ++i)
       rows.push_back(row_of(group[i], errors, order, i));
-    Cells fitted = fitted_row(group, errors, plan.axes.size());
+    RowCells fitted = fitted_row(group, errors, plan.axes.size());
     if (!fitted.empty()) rows.push_back(std::move(fitted));
   }
   return checks::text_table(headings, rows);
@@ -151,7 +151,7 @@ std::string table(const SweepPlan& plan, std::span<const Member> members) {
 void write_csv(const std::filesystem::path& file, const RunOptions& options, const SweepPlan& plan,
                std::span<const Member> members) {
   std::ostringstream out;
-  const Cells errors = errors_of(members);
+  const RowCells errors = errors_of(members);
   out << fmt::format("# scene: {} {}\n", options.scene, fmt::join(plan.fixed, " "));
   for (const std::string& line : provenance()) out << "# " << line << "\n";
   const auto ran = std::ranges::find_if(members, [](const Member& m) { return m.failure.empty(); });
@@ -176,7 +176,7 @@ void write_csv(const std::filesystem::path& file, const RunOptions& options, con
 
 std::string what_went_wrong(const SweepPlan& plan, std::span<const Member> members) {
   constexpr std::size_t told = 3;
-  Cells words;
+  RowCells words;
   std::size_t failed = 0, wrong = 0;
   for (const Member& m : members) {
     const std::string why = m.failure.empty() ? missed(m) : m.failure;

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
+#include "app/json.hpp"
 #include "app/say.hpp"
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
@@ -25,22 +25,20 @@
 namespace vortree::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-struct Problem {
-  io::Particles sources, targets;
+struct VelocityProblem {
+  io::ParticleFile sources, targets;
   bool elsewhere = false;  // the targets are not the sources themselves
   std::vector<double> u, v;
 
-  fmm::Blobs blobs() const { return {sources.x, sources.y, sources.gamma, sources.sigma}; }
+  fmm::Sources blobs() const { return {sources.x, sources.y, sources.gamma, sources.sigma}; }
   fmm::Targets points() const {
     const auto& at = elsewhere ? targets : sources;
     return {at.x, at.y, {}};
   }
 };
 
-const bench::Method& method_named(std::string_view name) {
-  const auto found = std::ranges::find(bench::methods(), name, &bench::Method::name);
+const bench::VelocityMethod& method_named(std::string_view name) {
+  const auto found = std::ranges::find(bench::methods(), name, &bench::VelocityMethod::name);
   if (found != bench::methods().end()) return *found;
   throw std::invalid_argument("no method \"" + std::string(name) + "\"");
 }
@@ -49,7 +47,7 @@ const bench::Method& method_named(std::string_view name) {
 // plan takes.
 constexpr std::uint64_t bytes_a_vortex = 130, bytes_a_target = 40;
 
-void check_memory(const Problem& problem) {
+void check_memory(const VelocityProblem& problem) {
   const std::uint64_t n = problem.sources.x.size(), m = problem.elsewhere ? problem.u.size() : 0;
   const std::uint64_t needed = bytes_a_vortex * n + bytes_a_target * m, left = free_memory();
   if (needed <= left) return;
@@ -59,7 +57,7 @@ void check_memory(const Problem& problem) {
 }
 
 // Sums once: the result into the problem, the time into the stopwatch.
-bench::Account sum(Problem& problem, const VelocityJob& job, Stopwatch& watch) {
+bench::Account sum(VelocityProblem& problem, const VelocityJob& job, Stopwatch& watch) {
   const auto phase = [&watch](std::string_view name) { watch.begin(name); };
   return method_named(job.method)
       .sum({problem.blobs(), problem.points(), problem.elsewhere, problem.u, problem.v},
@@ -75,7 +73,7 @@ void blame_if_refused(const std::filesystem::path& file, const auto& check) {
 }
 
 // What a method refuses has a file's name, if that file alone is refused.
-bench::Account sum_or_blame(Problem& problem, const VelocityJob& job, Stopwatch& watch) {
+bench::Account sum_or_blame(VelocityProblem& problem, const VelocityJob& job, Stopwatch& watch) {
   try {
     return sum(problem, job, watch);
   } catch (const std::invalid_argument&) {
@@ -103,14 +101,14 @@ Json if_any(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-io::Particles read(const std::filesystem::path& file, io::Columns columns) {
+io::ParticleFile read(const std::filesystem::path& file, io::ParticleColumns columns) {
   const io::WhileReading reading(file);
   return io::read_particles(file, columns);
 }
 
-Problem read_problem(const VelocityJob& job) {
+VelocityProblem read_problem(const VelocityJob& job) {
   using enum io::Need;
-  Problem problem;
+  VelocityProblem problem;
   problem.sources = read(job.in, {.gamma = required, .sigma = optional});
   problem.elsewhere = !job.targets.empty();
   if (problem.elsewhere) problem.targets = read(job.targets, {});
@@ -119,9 +117,9 @@ Problem read_problem(const VelocityJob& job) {
   return problem;
 }
 
-void write_result(const std::filesystem::path& out, const Problem& problem) {
-  const std::array columns{io::Column{"u", std::span<const double>(problem.u)},
-                           io::Column{"v", std::span<const double>(problem.v)}};
+void write_result(const std::filesystem::path& out, const VelocityProblem& problem) {
+  const std::array columns{io::ParticleColumn{"u", std::span<const double>(problem.u)},
+                           io::ParticleColumn{"v", std::span<const double>(problem.v)}};
   io::write_columns(out, columns);
 }
 
@@ -168,7 +166,7 @@ std::optional<std::string> miss(const bench::VelocityError& error, double tolera
 
 std::vector<std::string> velocity_methods() {
   std::vector<std::string> names;
-  for (const bench::Method& method : bench::methods()) names.emplace_back(method.name);
+  for (const bench::VelocityMethod& method : bench::methods()) names.emplace_back(method.name);
   return names;
 }
 
@@ -177,7 +175,7 @@ VelocityReport velocity(const VelocityJob& job) {
   Stopwatch files;
   files.begin("io");
   io::require_writable(job.out, std::array{job.in, job.targets});
-  Problem problem = read_problem(job);
+  VelocityProblem problem = read_problem(job);
   files.end();
 
   check_memory(problem);

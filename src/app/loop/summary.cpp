@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "app/install_paths.hpp"
+#include "app/json.hpp"
 #include "base/memory.hpp"
 #include "io/tables/table.hpp"
 
 namespace vortree::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Indented and with a line end. Signs beyond ASCII are escaped, so that a title harms no terminal,
 /// and a path need not be UTF-8.

@@ -16,14 +16,14 @@ const flow::Methods& methods() {
   return all;
 }
 
-std::vector<std::string> warnings(const io::Scene& scene) {
+flow::Warnings warnings(const io::Scene& scene) {
   const flow::Method& method = scene.computed_by();
   try {
     method.refuse_beyond(scene, static_cast<double>(machine_memory()));
   } catch (const Refused& refused) {
     throw io::InputError(fmt::format("{}: {}", scene.origin.path.string(), refused.what()));
   }
-  std::vector<std::string> list = flow::warnings(scene);
+  flow::Warnings list = flow::warnings(scene);
   std::ranges::move(method.warnings(scene), std::back_inserter(list));
   return list;
 }

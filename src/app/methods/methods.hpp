@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "flow/method.hpp"
+#include "flow/warnings.hpp"
 #include "io/scene/scene.hpp"
 
 namespace vortree::app {
@@ -13,6 +14,6 @@ const flow::Methods& methods();
 
 /// What is doubtful about a scene, a line each.
 /// throws  io::InputError for more than the machine can do
-std::vector<std::string> warnings(const io::Scene& scene);
+flow::Warnings warnings(const io::Scene& scene);
 
 }  // namespace vortree::app

@@ -24,7 +24,7 @@ struct Packed {
   std::vector<double> x, y, gamma, sigma;
   double largest_core = 0.0;  // squared
 
-  explicit Packed(const fmm::Blobs& blobs) : units(fmm::Units::of(blobs)) {
+  explicit Packed(const fmm::Sources& blobs) : units(fmm::Units::of(blobs)) {
     const auto scaled = [](std::span<const double> values, double factor) {
       std::vector<double> all(values.size());
       std::ranges::transform(values, all.begin(), [=](double value) { return value * factor; });
@@ -52,11 +52,11 @@ Twice with_cores(const Twice& weight, const Twice& r2, const double* sigma, std:
   return weight * core;
 }
 
-struct Sum {
+struct ExactSum {
   long double u, v, contributions;
 
   // From Units, without the factor 1/(2 pi), to the user's; long doubles hold all of it.
-  [[nodiscard]] Sum finished(const fmm::Units& units) const {
+  [[nodiscard]] ExactSum finished(const fmm::Units& units) const {
     const long double scale = units.per_length / (2 * std::numbers::pi_v<long double>) /
                               static_cast<long double>(units.per_gamma);
     return {u * scale, v * scale, contributions * scale};
@@ -64,8 +64,8 @@ struct Sum {
 };
 
 // What is far away sees the pairs' differences by long doubles, whose squares do not overflow.
-Sum sum_from_afar(const Packed& sources, std::size_t n, long double x, long double y) {
-  Sum sum{};
+ExactSum sum_from_afar(const Packed& sources, std::size_t n, long double x, long double y) {
+  ExactSum sum{};
   for (std::size_t j = 0; j < n; ++j) {
     const long double dx = x - sources.x[j], dy = y - sources.y[j], r2 = dx * dx + dy * dy;
     long double weight = sources.gamma[j] / r2;
@@ -85,7 +85,7 @@ long double total(const Twice& lanes) {
   return sum;
 }
 
-Sum sum_directly(const Packed& sources, double x, double y) {
+ExactSum sum_directly(const Packed& sources, double x, double y) {
   const std::span<const double> sigma = sources.sigma;
   Twice u{}, v{};
   Lanes contributions{};
@@ -119,7 +119,7 @@ std::vector<std::size_t> random_sample(std::size_t n, std::size_t size) {
 
 }  // namespace
 
-Exact exact_velocity(const fmm::Blobs& sources, const fmm::Targets& targets, std::size_t sample) {
+Exact exact_velocity(const fmm::Sources& sources, const fmm::Targets& targets, std::size_t sample) {
   Exact exact;
   exact.targets = random_sample(targets.size(), sample);
   const std::size_t n = exact.targets.size();
@@ -133,9 +133,10 @@ Exact exact_velocity(const fmm::Blobs& sources, const fmm::Targets& targets, std
     const long double unit = packed.units.per_length;
     const long double x = targets.x[i] * unit, y = targets.y[i] * unit;
     const bool far = std::max(std::abs(x), std::abs(y)) > far_away;
-    const Sum sum = (far ? sum_from_afar(packed, sources.size(), x, y)
-                         : sum_directly(packed, static_cast<double>(x), static_cast<double>(y)))
-                        .finished(packed.units);
+    const ExactSum sum =
+        (far ? sum_from_afar(packed, sources.size(), x, y)
+             : sum_directly(packed, static_cast<double>(x), static_cast<double>(y)))
+            .finished(packed.units);
     exact.u[k] = sum.u;
     exact.v[k] = sum.v;
     exact.contributions[k] = sum.contributions;

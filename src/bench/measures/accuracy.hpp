@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "fmm/blobs.hpp"
+#include "fmm/sources.hpp"
 
 namespace vortree::bench {
 
@@ -19,7 +19,7 @@ struct Exact {
 
 /// sample   so many targets, or all of them if there are fewer
 /// cost     O(n sample), 2 ns a pair, 100 ns where a core shows; threads share the targets
-Exact exact_velocity(const fmm::Blobs& sources, const fmm::Targets& targets,
+Exact exact_velocity(const fmm::Sources& sources, const fmm::Targets& targets,
                      std::size_t sample = 1000);
 
 /// How far velocities are from the truth. What is not a number counts as infinitely wrong.

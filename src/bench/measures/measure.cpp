@@ -49,8 +49,8 @@ void summarise(std::span<const Stopwatch::Phases> laps, double scale, Measuremen
   }
 }
 
-Measurement measure(const Method& method, const PointSet& set, const Exact& exact, double tolerance,
-                    const Patience& patience) {
+Measurement measure(const VelocityMethod& method, const PointSet& set, const Exact& exact,
+                    double tolerance, const Patience& patience) {
   const auto n = static_cast<double>(set.size());
   const bool partly = method.exact && n * n > 2.0 * patience.most_pairs;
   const std::vector<std::size_t> chosen =
@@ -59,7 +59,7 @@ Measurement measure(const Method& method, const PointSet& set, const Exact& exac
   for (const std::size_t i : chosen) x.push_back(set.x[i]), y.push_back(set.y[i]);
   const fmm::Targets targets = partly ? fmm::Targets{x, y, {}} : fmm::Targets{set.x, set.y, {}};
   std::vector<double> u(targets.size()), v(targets.size());
-  const Sum sum{set.blobs(), targets, partly, u, v};
+  const VelocitySum sum{set.blobs(), targets, partly, u, v};
 
   Measurement made;
   made.targets = targets.size();

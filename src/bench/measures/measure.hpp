@@ -44,7 +44,7 @@ struct Patience {
 /// exact    of the same set, at its own points
 /// An exact method that sums at some targets only has those of `exact` among them.
 /// throws   what the method throws
-Measurement measure(const Method& method, const PointSet& set, const Exact& exact, double tolerance,
-                    const Patience& patience);
+Measurement measure(const VelocityMethod& method, const PointSet& set, const Exact& exact,
+                    double tolerance, const Patience& patience);
 
 }  // namespace vortree::bench

@@ -9,8 +9,9 @@
 namespace vortree::bench {
 namespace {
 
-template <fmm::Method method>
-Account sum_by_plan(const Sum& sum, const fmm::Options& asked, const Phase& phase, Use use) {
+template <fmm::SumMethod method>
+Account sum_by_plan(const VelocitySum& sum, const fmm::Options& asked, const tree::Phase& phase,
+                    Use use) {
   fmm::Options options = asked;
   options.method = method;
   const fmm::Plan plan(sum.blobs, options, phase);
@@ -28,7 +29,8 @@ Account sum_by_plan(const Sum& sum, const fmm::Options& asked, const Phase& phas
   return account;
 }
 
-Account sum_on_grid(const Sum& sum, const fmm::Options& options, const Phase& phase, Use use) {
+Account sum_on_grid(const VelocitySum& sum, const fmm::Options& options, const tree::Phase& phase,
+                    Use use) {
   const GridOptions grid{.tolerance = options.tolerance, .measured = use.repeated};
   velocity_grid(sum.blobs, sum.targets, grid, sum.u, sum.v, phase);
   phase("");
@@ -37,7 +39,7 @@ Account sum_on_grid(const Sum& sum, const fmm::Options& options, const Phase& ph
   return account;
 }
 
-Account sum_directly(const Sum& sum, const fmm::Options&, const Phase& phase, Use) {
+Account sum_directly(const VelocitySum& sum, const fmm::Options&, const tree::Phase& phase, Use) {
   phase("near");
   fmm::velocity_direct(sum.blobs, sum.targets, fmm::Cores::source, sum.u, sum.v);
   phase("");
@@ -50,14 +52,16 @@ Account sum_directly(const Sum& sum, const fmm::Options&, const Phase& phase, Us
 }
 
 constexpr std::array table{
-    Method{.name = "fmm", .bare = true, .exact = false, .sum = sum_by_plan<fmm::Method::fmm>},
-    Method{.name = "boxes", .bare = true, .exact = false, .sum = sum_by_plan<fmm::Method::boxes>},
-    Method{.name = "grid", .bare = false, .exact = false, .sum = sum_on_grid},
-    Method{.name = "direct", .bare = true, .exact = true, .sum = sum_directly}};
+    VelocityMethod{
+        .name = "fmm", .bare = true, .exact = false, .sum = sum_by_plan<fmm::SumMethod::fmm>},
+    VelocityMethod{
+        .name = "boxes", .bare = true, .exact = false, .sum = sum_by_plan<fmm::SumMethod::boxes>},
+    VelocityMethod{.name = "grid", .bare = false, .exact = false, .sum = sum_on_grid},
+    VelocityMethod{.name = "direct", .bare = true, .exact = true, .sum = sum_directly}};
 
 }  // namespace
 
-std::span<const Method> methods() {
+std::span<const VelocityMethod> methods() {
   return table;
 }
 

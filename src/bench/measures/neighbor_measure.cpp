@@ -81,7 +81,7 @@ NeighborMeasurement measure_neighbors(const NeighborMaker& maker, const Neighbor
   return made;
 }
 
-std::optional<Slope> fit_slope(std::span<const Cost> costs) {
+std::optional<Slope> fit_slope(std::span<const NeighborCost> costs) {
   double count = 0, x = 0, y = 0, xx = 0, xy = 0, from = INFINITY, to = 0;
   for (const auto [n, seconds] : costs) {
     if (n < 9900) continue;

@@ -39,7 +39,7 @@ NeighborMeasurement measure_neighbors(const NeighborMaker& maker, const Neighbor
                                       double seconds);
 
 /// What a set of n particles costs [s].
-struct Cost {
+struct NeighborCost {
   double n, seconds;
 };
 struct Slope {
@@ -48,7 +48,7 @@ struct Slope {
 
 /// The exponent of n in cost, fitted from 10^4 particles on (least squares of the logarithms);
 /// nothing for fewer than three numbers of particles.
-[[nodiscard]] std::optional<Slope> fit_slope(std::span<const Cost> costs);
+[[nodiscard]] std::optional<Slope> fit_slope(std::span<const NeighborCost> costs);
 
 /// Seconds that a search will take, roughly, before it is made: so that nobody waits for hours.
 /// From the pairs it tests: all, or those of cells as wide as the largest reach; else some

@@ -15,17 +15,17 @@ namespace vortree::bench {
 namespace {
 
 // From points in a domain to a tree, telling its parts.
-struct Builder {
+struct Contestant {
   std::string_view name;
   tree::Quadtree (*build)(tree::Points points, const tree::Domain& domain, std::uint32_t n_ctrl,
-                          int depth, const TreePhase& phase);
+                          int depth, const tree::Phase& phase);
 };
 
 using Make = tree::Quadtree (*)(tree::MortonOrder, const tree::SplitRule&);
 
 template <Make make>
 tree::Quadtree sorted_first(tree::Points points, const tree::Domain& domain, std::uint32_t n_ctrl,
-                            int, const TreePhase& phase) {
+                            int, const tree::Phase& phase) {
   phase("order");
   tree::MortonOrder order = tree::morton_order(points, domain);
   phase("build");
@@ -38,7 +38,7 @@ tree::Quadtree climb(tree::MortonOrder order, const tree::SplitRule& crowded) {
 
 template <bool known>
 tree::Quadtree printed(tree::Points points, const tree::Domain& domain, std::uint32_t n_ctrl,
-                       int depth, const TreePhase& phase) {
+                       int depth, const tree::Phase& phase) {
   phase("order");
   tree::MortonOrder order = tree::morton_order(points, domain);
   phase("build");
@@ -46,11 +46,11 @@ tree::Quadtree printed(tree::Points points, const tree::Domain& domain, std::uin
 }
 
 tree::Quadtree partition(tree::Points points, const tree::Domain& domain, std::uint32_t n_ctrl, int,
-                         const TreePhase& phase) {
+                         const tree::Phase& phase) {
   return forward_by_partition(points, domain, n_ctrl, phase);
 }
 
-constexpr Builder builders[] = {
+constexpr Contestant builders[] = {
     {tree_builders[0], partition},           {tree_builders[1], sorted_first<tree::build_forward>},
     {tree_builders[2], printed<false>},      {tree_builders[3], printed<true>},
     {tree_builders[4], sorted_first<climb>}, {tree_builders[5], sorted_first<tree::build_reverse>}};
@@ -61,9 +61,9 @@ std::size_t bytes_of(const tree::Quadtree& tree) {
 }
 
 // Codes in the order of input.
-std::vector<tree::Key> unsorted_codes(tree::Points points) {
+std::vector<tree::MortonKey> unsorted_codes(tree::Points points) {
   const tree::MortonOrder order = tree::morton_order(points, tree::enclose(points));
-  std::vector<tree::Key> keys(order.keys.size());
+  std::vector<tree::MortonKey> keys(order.keys.size());
   for (std::size_t j = 0; j < keys.size(); ++j) keys[order.index[j]] = order.keys[j];
   return keys;
 }
@@ -85,7 +85,7 @@ class Contest {
   // By builder; `sort` is the same for all that sort.
   std::map<std::string_view, TreeMade> run(const LapLimit& limit) {
     std::map<std::string_view, TreeMade> made;
-    for (const Builder& builder : builders) measure_memory(builder, made[builder.name]);
+    for (const Contestant& builder : builders) measure_memory(builder, made[builder.name]);
     std::map<std::string_view, std::vector<double>> laps;
     std::map<std::string_view, std::map<std::string, std::vector<double>>> parts;
     std::vector<double> sorts;
@@ -105,7 +105,7 @@ class Contest {
   }
 
  private:
-  tree::Quadtree lap(const Builder& builder, Stopwatch& watch) const {
+  tree::Quadtree lap(const Contestant& builder, Stopwatch& watch) const {
     watch.begin("enclose");
     const tree::Domain around = domain_ ? *domain_ : tree::enclose(points_);
     tree::Quadtree tree = builder.build(points_, around, n_ctrl_, depth_,
@@ -114,7 +114,7 @@ class Contest {
     return tree;
   }
 
-  void measure_memory(const Builder& builder, TreeMade& made) const {
+  void measure_memory(const Contestant& builder, TreeMade& made) const {
     const MemoryGrowth growth;
     Stopwatch watch;
     const tree::Quadtree tree = lap(builder, watch);
@@ -128,7 +128,7 @@ class Contest {
   void run_round(std::map<std::string_view, std::vector<double>>& laps,
                  std::map<std::string_view, std::map<std::string, std::vector<double>>>& parts,
                  std::vector<double>& sorts) const {
-    for (const Builder& builder : builders) {
+    for (const Contestant& builder : builders) {
       Stopwatch watch;
       const tree::Quadtree tree = lap(builder, watch);
       double all = 0.0;
@@ -138,7 +138,7 @@ class Contest {
       }
       laps[builder.name].push_back(all);
     }
-    std::vector<tree::Key> keys = codes_;
+    std::vector<tree::MortonKey> keys = codes_;
     const Stopwatch watch;
     const auto index = tree::radix_sort(keys);
     sorts.push_back(watch.elapsed());
@@ -148,7 +148,7 @@ class Contest {
   std::optional<tree::Domain> domain_;
   std::uint32_t n_ctrl_;
   int depth_;
-  std::vector<tree::Key> codes_;
+  std::vector<tree::MortonKey> codes_;
 };
 
 }  // namespace

@@ -65,7 +65,7 @@ bool nowhere(double, double) {
 }
 
 // Its lower left corner is (-10, -10).
-struct Layout {
+struct SetLayout {
   double width, height;
   int columns, rows, levels;
   std::vector<Ellipse> ellipses;
@@ -74,7 +74,7 @@ struct Layout {
 
 class Generator {
  public:
-  explicit Generator(const Layout& layout)
+  explicit Generator(const SetLayout& layout)
       : layout_(layout), spacing_(layout.width / layout.columns) {}
 
   ParticleSet run() {
@@ -104,7 +104,7 @@ class Generator {
     set_.level.push_back(static_cast<std::uint8_t>(level));
   }
 
-  const Layout& layout_;
+  const SetLayout& layout_;
   double spacing_;
   ParticleSet set_;
 };
@@ -114,7 +114,7 @@ class Generator {
                               "\"; expected uni:n, cyl:L:n (L <= 5) or foil:L:n (L <= 7)");
 }
 
-Layout parse(std::string_view name) {
+SetLayout parse(std::string_view name) {
   std::vector<int> numbers;
   const std::string_view kind = name.substr(0, name.find(':'));
   for (std::size_t colon = kind.size(); colon < name.size();) {
@@ -129,7 +129,7 @@ Layout parse(std::string_view name) {
     return {20, 20, numbers[0], numbers[0], 1, {}, nowhere};
   }
   if (numbers.size() != 2) refuse(name);
-  Layout layout{20, 20, numbers[1], numbers[1], numbers[0], around_cylinder(), inside_cylinder};
+  SetLayout layout{20, 20, numbers[1], numbers[1], numbers[0], around_cylinder(), inside_cylinder};
   if (kind == "foil") {
     layout = {30, 20, numbers[1], numbers[1] * 2 / 3, numbers[0], around_foil(), inside_foil};
   } else if (kind != "cyl") {
@@ -156,9 +156,9 @@ void shuffle(std::vector<std::uint32_t>& order) {
 }
 
 // By Morton codes on a grid of 65536 x 65536.
-void sort(std::vector<std::uint32_t>& order, const ParticleSet& set, const Layout& layout) {
+void sort(std::vector<std::uint32_t>& order, const ParticleSet& set, const SetLayout& layout) {
   const double scale = 65535.0 / std::max(layout.width, layout.height);
-  std::vector<tree::Key> key(order.size());
+  std::vector<tree::MortonKey> key(order.size());
   for (std::size_t i = 0; i < key.size(); ++i) {
     key[i] = tree::encode({static_cast<std::uint32_t>((set.x[i] + 10) * scale),
                            static_cast<std::uint32_t>((set.y[i] + 10) * scale)});
@@ -169,7 +169,7 @@ void sort(std::vector<std::uint32_t>& order, const ParticleSet& set, const Layou
 }  // namespace
 
 ParticleSet make_particles(std::string_view name, Order order) {
-  const Layout layout = parse(name);
+  const SetLayout layout = parse(name);
   ParticleSet set = Generator(layout).run();
   std::vector<std::uint32_t> permutation(set.size());
   std::iota(permutation.begin(), permutation.end(), 0u);

@@ -69,12 +69,12 @@ void shuffle(PointSet& set, Uniform& uniform) {
 
 }  // namespace
 
-PointSet make_points(Kind kind, std::size_t n) {
+PointSet make_points(PointKind kind, std::size_t n) {
   Uniform uniform(20260101 + 1000 * static_cast<std::uint64_t>(kind));
   PointSet set;
-  if (kind == Kind::uniform) {
+  if (kind == PointKind::uniform) {
     add_square(set, n, uniform);
-  } else if (kind == Kind::ringwake) {
+  } else if (kind == PointKind::ringwake) {
     std::array<double, 40> centres;
     for (std::size_t c = 0; c < 40; c += 2) {
       centres[c] = 0.5 + 5.5 * uniform();

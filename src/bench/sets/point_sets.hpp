@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "fmm/blobs.hpp"
+#include "fmm/sources.hpp"
 
 namespace vortree::bench {
 
@@ -16,7 +16,7 @@ namespace vortree::bench {
 struct PointSet {
   std::vector<double> x, y, gamma, sigma;  // sigma empty: bare vortices
   [[nodiscard]] std::size_t size() const { return x.size(); }
-  [[nodiscard]] fmm::Blobs blobs() const { return {x, y, gamma, sigma}; }
+  [[nodiscard]] fmm::Sources blobs() const { return {x, y, gamma, sigma}; }
 };
 
 /// Numbers in [0, 1), the same with every library.
@@ -33,12 +33,12 @@ class Uniform {
 /// uniform    unit square
 /// ringwake   half in a thin layer around a cylinder of radius 0.5, half in 20 Gaussian clumps
 /// hard       half uniform, a quarter on a segment 1e-6 long, a quarter closing in on a point
-enum class Kind { uniform, ringwake, hard };
-inline constexpr std::array every_kind{Kind::uniform, Kind::ringwake, Kind::hard};
+enum class PointKind { uniform, ringwake, hard };
+inline constexpr std::array every_kind{PointKind::uniform, PointKind::ringwake, PointKind::hard};
 inline constexpr std::array kind_names{"uniform", "ringwake", "hard"};
 
 /// n bare vortices with gamma uniform in [-1, 1], in random order.
-PointSet make_points(Kind kind, std::size_t n);
+PointSet make_points(PointKind kind, std::size_t n);
 
 /// n overlapping blobs of equal cores in random order, one at a random place of each square of a
 /// lattice on the unit square, cores twice as wide as the squares:

@@ -76,9 +76,9 @@ std::vector<Question> questions(bool quick) {
   return asked;
 }
 
-class Bench {
+class NeighborBenchRun {
  public:
-  Bench(const NeighborBench& job, const std::function<void(std::string_view)>& say)
+  NeighborBenchRun(const NeighborBench& job, const std::function<void(std::string_view)>& say)
       : job_(job), say_(say), out_(job.csv) {
     several_ = job.threads > 0 ? job.threads : omp_get_max_threads();
     patience_ = job.quick ? 0.03 : 0.5;
@@ -189,7 +189,7 @@ class Bench {
   // By family, method, order, listing and threads.
   using What =
       std::tuple<std::string_view, std::string_view, std::string_view, std::string_view, int>;
-  std::map<What, std::vector<Cost>> costs_;
+  std::map<What, std::vector<NeighborCost>> costs_;
   std::size_t largest_;
   std::map<std::tuple<Order, PairRule, Listing>, Fingerprint> found_;
 };
@@ -198,7 +198,7 @@ class Bench {
 
 void neighbor_bench(const NeighborBench& job, const std::function<void(std::string_view)>& say) {
   const int threads = omp_get_max_threads();
-  Bench bench(job, say);
+  NeighborBenchRun bench(job, say);
   for (const Set& set : every_set(job.quick)) bench.measure_set(set);
   bench.say_exponents();
   omp_set_num_threads(threads);

@@ -26,9 +26,9 @@ using tree::Listing;
 using tree::PairRule;
 using Say = std::function<void(std::string_view)>;
 
-class Table {
+class UsesTable {
  public:
-  Table(const std::filesystem::path& path, std::string_view header) : path_(path), out_(path) {
+  UsesTable(const std::filesystem::path& path, std::string_view header) : path_(path), out_(path) {
     for (const std::string& line : provenance()) write("# " + line);
     write(header);
   }
@@ -60,19 +60,19 @@ double least_seconds(int repeats, const Work& work) {
 enum class Way { full, half, visitor };
 
 // A smooth field and its gradient.
-struct Field {
+struct SmoothField {
   static double f(double x, double y) { return std::sin(0.7 * x) * std::cos(0.5 * y); }
   static double x(double x, double y) { return 0.7 * std::cos(0.7 * x) * std::cos(0.5 * y); }
   static double y(double x, double y) { return -0.5 * std::sin(0.7 * x) * std::sin(0.5 * y); }
 };
 
-class Sums {
+class SphSums {
  public:
-  explicit Sums(const char* name) : set_(make_particles(name, Order::sorted)) {
+  explicit SphSums(const char* name) : set_(make_particles(name, Order::sorted)) {
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const double dx = set_.reach[i] / 3.9;
       mass_.push_back(dx * dx);
-      f_.push_back(Field::f(set_.x[i], set_.y[i]));
+      f_.push_back(SmoothField::f(set_.x[i], set_.y[i]));
     }
     for (auto* values : {&rho_, &gx_, &gy_}) values->resize(set_.size());
   }
@@ -105,7 +105,9 @@ class Sums {
   }
 
  private:
-  [[nodiscard]] sph::Sources sources() const { return {set_.points(), mass_, set_.reach}; }
+  [[nodiscard]] sph::SmoothedParticles sources() const {
+    return {set_.points(), mass_, set_.reach};
+  }
 
   // Relative L2, a support away from the border and from the body.
   [[nodiscard]] std::pair<double, double> errors() const {
@@ -113,7 +115,7 @@ class Sums {
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const double x = set_.x[i], y = set_.y[i], room = set_.reach[i];
       if (std::max(std::abs(x), std::abs(y)) > 10 - room || std::hypot(x, y) < 0.5 + room) continue;
-      const double ex = Field::x(x, y), ey = Field::y(x, y);
+      const double ex = SmoothField::x(x, y), ey = SmoothField::y(x, y);
       off += std::pow(rho_[i] - 1, 2), ++count;
       slope_off += std::pow(gx_[i] - ex, 2) + std::pow(gy_[i] - ey, 2);
       slopes += ex * ex + ey * ey;
@@ -128,8 +130,8 @@ class Sums {
 };
 
 void measure_sums(const std::filesystem::path& csv, bool small, const Say& say) {
-  Table table(csv, "way,n,threads,search,density,gradient,density_error,gradient_error");
-  Sums sums(small ? "cyl:5:17" : "cyl:5:100");
+  UsesTable table(csv, "way,n,threads,search,density,gradient,density_error,gradient_error");
+  SphSums sums(small ? "cyl:5:17" : "cyl:5:100");
   for (const auto& [way, words] : {std::pair{Way::full, "full"}, std::pair{Way::half, "half"},
                                    std::pair{Way::visitor, "visitor"}}) {
     table.write(sums.row(way, words, say));
@@ -159,7 +161,7 @@ void advance(sph::Particles& p, int step) {
 }
 
 void measure_moving(const std::filesystem::path& csv, bool small, int steps, const Say& say) {
-  Table table(csv, "way,n,steps,threads,seconds");
+  UsesTable table(csv, "way,n,steps,threads,seconds");
   sph::Particles p = moving_set(small);
   tree::Neighbors kept;
   tree::VerletList skinned(PairRule::max, Listing::both_ways, 0.1);
@@ -195,7 +197,7 @@ void measure_moving(const std::filesystem::path& csv, bool small, int steps, con
 }
 
 void measure_cells(const std::filesystem::path& csv, std::size_t most, const Say& say) {
-  Table table(csv, "dimensions,n,naive,cells,pairs");
+  UsesTable table(csv, "dimensions,n,naive,cells,pairs");
   for (const int dimensions : {2, 3}) {
     for (std::size_t n = 250; n <= most; n *= 2) {
       const Coordinates points = random_coordinates(dimensions, n);

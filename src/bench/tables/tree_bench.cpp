@@ -36,9 +36,9 @@ double seconds_of(const LapLimit& limit, const Work& work) {
   return median(laps);
 }
 
-class Bench {
+class TreeBenchRun {
  public:
-  Bench(const TreeBench& job, const std::function<void(std::string_view)>& say)
+  TreeBenchRun(const TreeBench& job, const std::function<void(std::string_view)>& say)
       : say_(say),
         trees_(job.folder / "trees.csv"),
         reuse_(job.folder / "trees_reuse.csv"),
@@ -197,14 +197,14 @@ double spacing_of(const PointSet& set) {
 
 void tree_bench(const TreeBench& job, const std::function<void(std::string_view)>& say) {
   const int threads = omp_get_max_threads();
-  Bench bench(job, say);
+  TreeBenchRun bench(job, say);
   const std::vector<std::size_t> numbers = sizes(job);
   const std::size_t crowd = std::min<std::size_t>(job.quick ? 100'000 : 1'000'000, numbers.back());
   for (const NamedSet& flow : job.flows) {
     bench.measure_set(flow.name, flow.set, usual_n_ctrl, true);
   }
   for (const std::size_t n : numbers) {
-    for (const Kind kind : every_kind) {
+    for (const PointKind kind : every_kind) {
       const char* name = kind_names[static_cast<std::size_t>(kind)];
       const PointSet set = make_points(kind, n);
       bench.measure_set(name, set, usual_n_ctrl, n <= 3'000'000);

@@ -53,9 +53,9 @@ Programme programme(bool quick, std::size_t largest) {
   return made;
 }
 
-class Bench {
+class VelocityBenchRun {
  public:
-  Bench(const VelocityBench& job, const std::function<void(std::string_view)>& say)
+  VelocityBenchRun(const VelocityBench& job, const std::function<void(std::string_view)>& say)
       : job_(job), say_(say), out_(job.csv), programme_(programme(job.quick, job.largest)) {
     const int all = job.threads > 0 ? job.threads : omp_get_max_threads();
     for (const int threads : {1, all}) machine_[threads] = measure_anchors(threads);
@@ -73,7 +73,7 @@ class Bench {
     omp_set_num_threads(machine_.rbegin()->first);
     const Exact exact = exact_velocity(set.blobs(), {set.x, set.y, {}});
     for (const auto& [threads, anchors] : machine_) {
-      for (const Method& method : methods()) {
+      for (const VelocityMethod& method : methods()) {
         if (!method.bare && set.sigma.empty()) continue;
         if (method.exact && set.size() >= programme_.no_direct_from) continue;
         std::vector<std::optional<double>> asked{std::nullopt};
@@ -90,7 +90,8 @@ class Bench {
   [[nodiscard]] const std::vector<std::size_t>& sizes() const { return programme_.sizes; }
 
  private:
-  void measure_one(const Row& row, const Method& method, const PointSet& set, const Exact& exact) {
+  void measure_one(const VelocityRow& row, const VelocityMethod& method, const PointSet& set,
+                   const Exact& exact) {
     omp_set_num_threads(row.threads);
     try {
       const Measurement made =
@@ -121,9 +122,9 @@ class Bench {
 
 void velocity_bench(const VelocityBench& job, const std::function<void(std::string_view)>& say) {
   const int threads = omp_get_max_threads();
-  Bench bench(job, say);
+  VelocityBenchRun bench(job, say);
   for (const std::size_t n : bench.sizes()) {
-    for (const Kind kind : every_kind)
+    for (const PointKind kind : every_kind)
       bench.measure_set(kind_names[static_cast<std::size_t>(kind)], make_points(kind, n));
     bench.measure_set("blobs", make_blobs(n));
   }

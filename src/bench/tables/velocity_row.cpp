@@ -10,7 +10,7 @@ namespace vortree::bench {
 namespace {
 
 // The times of a sum at some targets were scaled up by this; so are its pairs.
-double scale(const Row& row, const Measurement& made) {
+double scale(const VelocityRow& row, const Measurement& made) {
   return static_cast<double>(row.n) / static_cast<double>(made.targets);
 }
 
@@ -38,7 +38,7 @@ double seconds_of(const Measurement& made, std::string_view phase) {
 
 }  // namespace
 
-Floors floors(const Row& row, const Measurement& made, const Anchors& machine) {
+Floors floors(const VelocityRow& row, const Measurement& made, const Anchors& machine) {
   Floors floors;
   if (const auto& work = made.account.work) {
     const double fma = 1.0 / machine.fma, division = 1.0 / machine.divisions;
@@ -59,7 +59,7 @@ std::string csv_header() {
          "sampled,bytes,order,bare,cored,near_floor,tree_floor,phases";
 }
 
-std::string csv_line(const Row& row, const Measurement& made, const Floors& floors) {
+std::string csv_line(const VelocityRow& row, const Measurement& made, const Floors& floors) {
   std::optional<double> bare, cored;
   if (const auto& work = made.account.work) {
     bare = scale(row, made) * static_cast<double>(work->bare);
@@ -93,7 +93,7 @@ std::string spoken_header() {
   return "set              n  method   asked thr  million/s  ns each     error  near floor";
 }
 
-std::string spoken_line(const Row& row, const Measurement& made, const Floors& floors) {
+std::string spoken_line(const VelocityRow& row, const Measurement& made, const Floors& floors) {
   const double near = seconds_of(made, "near") + seconds_of(made, "evaluate");
   const auto n = static_cast<double>(row.n);
   return fmt::format(

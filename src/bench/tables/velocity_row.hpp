@@ -11,7 +11,7 @@
 namespace vortree::bench {
 
 /// What a row of the velocity bench is about.
-struct Row {
+struct VelocityRow {
   std::string_view set, method;
   std::size_t n;
   std::optional<double> tolerance;
@@ -27,14 +27,14 @@ struct Row {
 struct Floors {
   std::optional<double> near, tree;
 };
-Floors floors(const Row& row, const Measurement& made, const Anchors& machine);
+Floors floors(const VelocityRow& row, const Measurement& made, const Anchors& machine);
 
 /// As VelocityBench says.
 std::string csv_header();
-std::string csv_line(const Row& row, const Measurement& made, const Floors& floors);
+std::string csv_line(const VelocityRow& row, const Measurement& made, const Floors& floors);
 
 /// For people: speed, error, and how much of the near sums' time the floor is.
 std::string spoken_header();
-std::string spoken_line(const Row& row, const Measurement& made, const Floors& floors);
+std::string spoken_line(const VelocityRow& row, const Measurement& made, const Floors& floors);
 
 }  // namespace vortree::bench

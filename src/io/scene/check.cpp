@@ -53,7 +53,7 @@ bool beside(const Scene& s) {
   return s.body && s.check.*known;
 }
 
-struct Need {
+struct Prerequisite {
   std::string_view key;
   std::optional<double> CheckSettings::*asked;
   bool (*held)(const Scene&);
@@ -65,7 +65,7 @@ constexpr std::string_view reference = "[body] and check.drag_reference";
 constexpr std::string_view known_field = "check.exact = \"lamb_oseen\" or \"spinning_cylinder\"";
 constexpr std::string_view wall_reference = "[body] and check.wall_vorticity_reference";
 
-constexpr Need needs[] = {
+constexpr Prerequisite needs[] = {
     {"drag_max", &C::drag_max, drag, reference},
     {"drag_rms", &C::drag_rms, drag, reference},
     {"early_drag_max", &C::early_drag_max, started,
@@ -162,7 +162,7 @@ void require_reference(const Document& document, const Scene& scene, const Refer
 }  // namespace
 
 void check_asked(const Document& document, const Scene& scene) {
-  for (const Need& need : needs)
+  for (const Prerequisite& need : needs)
     if (scene.check.*need.asked && !need.held(scene)) {
       const std::string key = fmt::format("check.{}", need.key);
       document.refuse(

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A column that has been looked at, but not read.
-struct Found {
+struct FoundColumn {
   std::string name;
   h5::Handle set;
   std::size_t count = 0;
@@ -45,7 +45,7 @@ class Reader {
       if (need == Need::optional) return;
       refuse(fmt::format("there is no dataset {}; the file has {}", name, what_is_there()));
     }
-    Found found{.name = name, .set = h5::open_dataset(file_, name), .values = &values};
+    FoundColumn found{.name = name, .set = h5::open_dataset(file_, name), .values = &values};
     require_line_of_numbers(found);
     found.count = h5::believed_count(found.set, name);
     if (!found_.empty() && found.count != found_[0].count) {
@@ -56,7 +56,7 @@ class Reader {
 
   void read_all() const {
     if (!found_.empty()) h5::require_room(found_[0].count * found_.size(), names());
-    for (const Found& column : found_) {
+    for (const FoundColumn& column : found_) {
       *column.values = h5::read_dataset(column.set, column.name);
       require(
           column, [](double v) { return std::isfinite(v); }, "finite numbers were expected");
@@ -75,7 +75,7 @@ class Reader {
   [[noreturn]] static void refuse(const std::string& words) { throw h5::Failure(words); }
 
   template <class Holds>
-  static void require(const Found& column, Holds holds, std::string_view words) {
+  static void require(const FoundColumn& column, Holds holds, std::string_view words) {
     const std::vector<double>& values = *column.values;
     const auto bad = std::find_if_not(values.begin(), values.end(), holds);
     if (bad != values.end()) {
@@ -85,7 +85,7 @@ class Reader {
 
   std::string names() const {
     std::vector<std::string_view> names;
-    for (const Found& column : found_) names.push_back(column.name);
+    for (const FoundColumn& column : found_) names.push_back(column.name);
     return fmt::format("{}", fmt::join(names, " + "));
   }
 
@@ -97,7 +97,7 @@ class Reader {
     return fmt::format("{}", fmt::join(found, ", "));
   }
 
-  static void require_line_of_numbers(Found& found) {
+  static void require_line_of_numbers(FoundColumn& found) {
     const h5::Handle type(H5Dget_type(found.set));
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
@@ -118,12 +118,13 @@ class Reader {
 
   fs::path path_;
   h5::Handle file_;
-  std::vector<Found> found_;
+  std::vector<FoundColumn> found_;
 };
 
-void write_all(const fs::path& path, std::span<const Column> columns, const Attributes& about) {
+void write_all(const fs::path& path, std::span<const ParticleColumn> columns,
+               const Attributes& about) {
   h5::Handle file = h5::create_file(path);
-  for (const Column& column : columns) {
+  for (const ParticleColumn& column : columns) {
     std::visit([&](const auto& values) { h5::write(file, column.name, values); }, column.values);
   }
   for (const auto& entry : about) {
@@ -134,8 +135,8 @@ void write_all(const fs::path& path, std::span<const Column> columns, const Attr
 
 }  // namespace
 
-Particles read_particles(const fs::path& path, Columns columns) {
-  Particles p;
+ParticleFile read_particles(const fs::path& path, ParticleColumns columns) {
+  ParticleFile p;
   try {
     Reader reader(path);
     reader.find("x", Need::required, p.x);
@@ -150,7 +151,8 @@ Particles read_particles(const fs::path& path, Columns columns) {
   return p;
 }
 
-void write_columns(const fs::path& path, std::span<const Column> columns, const Attributes& about) {
+void write_columns(const fs::path& path, std::span<const ParticleColumn> columns,
+                   const Attributes& about) {
   require_writable(path);
   h5::replace_file(path, [&](const fs::path& fresh) { write_all(fresh, columns, about); });
 }

@@ -14,14 +14,14 @@ namespace vortree::io {
 
 /// Columns of a particle file; equal lengths, or empty when the file lacks the column (or nobody
 /// asked for it).
-struct Particles {
+struct ParticleFile {
   std::vector<double> x, y, gamma, sigma, reach;
 };
 
 enum class Need { unused, optional, required };
 
 /// Which columns a job reads beside x and y, which are always required.
-struct Columns {
+struct ParticleColumns {
   Need gamma = Need::unused;
   Need sigma = Need::unused;
   Need reach = Need::unused;
@@ -35,13 +35,13 @@ struct Columns {
 ///         not one-dimensional, not numbers, lengths that differ (which, how many), NaN or infinity
 ///         (dataset and index), sigma < 0, reach < 0, integers of 2^53 and more, of which doubles
 ///         hold only some
-[[nodiscard]] Particles read_particles(const std::filesystem::path&, Columns = {});
+[[nodiscard]] ParticleFile read_particles(const std::filesystem::path&, ParticleColumns = {});
 
 using Values = std::variant<std::span<const double>, std::span<const std::int64_t>,
                             std::span<const std::int32_t>>;
 
 /// One dataset to be written under its name.
-struct Column {
+struct ParticleColumn {
   std::string name;
   Values values;
 };
@@ -55,6 +55,7 @@ using Attributes =
 ///
 /// throws  InputError if the folder does not exist or cannot be written, std::runtime_error if
 ///         writing fails half-way
-void write_columns(const std::filesystem::path&, std::span<const Column>, const Attributes& = {});
+void write_columns(const std::filesystem::path&, std::span<const ParticleColumn>,
+                   const Attributes& = {});
 
 }  // namespace vortree::io

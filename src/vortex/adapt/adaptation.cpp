@@ -13,44 +13,45 @@ AtWall beside(const body::WallPoint& nearest, const Core& core) {
   return {out * nearest.normal, nearest.normal, false};
 }
 
-Parts loosened(const Blobs& blobs, const body::Shape* wall) {
+AdaptedBlobs unpack(const Blobs& blobs, const body::Shape* wall) {
   const auto n = static_cast<std::ptrdiff_t>(blobs.size());
-  Parts parts;
-  parts.all.resize(n);
+  AdaptedBlobs adapted;
+  adapted.all.resize(n);
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Core core = blobs.core(i);
-    parts.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], core.square, core.deviator, no_wall, 1};
-    if (!wall || wall->distance(blobs.centre(i)) >= folded::reach * widest(core)) continue;
-    parts.all[i].at_wall = static_cast<std::uint32_t>(parts.at_wall.size());
-    parts.at_wall.push_back(beside(wall->nearest(blobs.centre(i)), core));
+    adapted.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], core.square, core.deviator,
+                      no_wall,    1};
+    if (!wall || wall->distance(blobs.centre(i)) >= folded::support * widest(core)) continue;
+    adapted.all[i].at_wall = static_cast<std::uint32_t>(adapted.at_wall.size());
+    adapted.at_wall.push_back(beside(wall->nearest(blobs.centre(i)), core));
   }
-  return parts;
+  return adapted;
 }
 
 namespace {
 
-/// The blob with the mean and the mean square of the part's distance from the wall.
-Placed settled(const Part& p, Vec2 offset, const body::Shape& wall) {
+/// The blob with the mean and the mean square of its distance from the wall.
+Placed pack(const AdaptedBlob& p, Vec2 offset, const body::Shape& wall) {
   const body::WallPoint w = wall.nearest(p.centre());
   Covariance v = p.core().covariance(w.normal);
-  const Vec2 acting = p.centre() + offset;
-  const double m = wall.distance(acting);
+  const Vec2 centroid = p.centre() + offset;
+  const double m = wall.distance(centroid);
   v.nn = std::max(v.nn + w.distance * w.distance - m * m, 0.01 * p.square);
-  return place_acting({acting, core_of(v, w.normal)}, &wall);
+  return unfold({centroid, core_of(v, w.normal)}, &wall);
 }
 
 }  // namespace
 
-Blobs settled(const Parts& parts, const body::Shape* wall) {
-  const std::ptrdiff_t n = std::ssize(parts.all);
+Blobs pack(const AdaptedBlobs& adapted, const body::Shape* wall) {
+  const std::ptrdiff_t n = std::ssize(adapted.all);
   Blobs blobs;
   blobs.resize(n);
 #pragma omp parallel for schedule(dynamic, 512)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Part& p = parts.all[i];
+    const AdaptedBlob& p = adapted.all[i];
     Placed blob{p.centre(), p.core()};
-    if (p.at_wall != no_wall && parts.at_wall[p.at_wall].moved)
-      blob = settled(p, parts.at_wall[p.at_wall].offset, *wall);
+    if (p.at_wall != no_wall && adapted.at_wall[p.at_wall].moved)
+      blob = pack(p, adapted.at_wall[p.at_wall].offset, *wall);
     blobs.put(i, blob.centre, p.gamma, blob.core);
   }
   return blobs;

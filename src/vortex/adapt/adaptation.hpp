@@ -13,7 +13,7 @@ namespace vortree::vortex {
 ///
 /// at_wall   number of what is known of it beside the wall, or no_wall
 /// widening  how many times wider cores may be where it is (coarsening.hpp)
-struct Part {
+struct AdaptedBlob {
   double x, y, gamma, square;
   Deviator deviator;
   std::uint32_t at_wall;
@@ -25,9 +25,9 @@ struct Part {
 
 inline constexpr std::uint32_t no_wall = ~0u;
 
-/// What a part beside a wall knows besides. The mean of its distance from the wall is that of its
-/// acting position, centre + offset; the mean square of it is that of its centre and core. Both are
-/// kept, and the core is put around them at the end.
+/// What such a blob beside a wall knows besides. The mean of its distance from the wall is that of
+/// its folded centroid, centre + offset; the mean square of it is that of its centre and core. Both
+/// are kept, and the core is put around them at the end.
 ///
 /// normal  of the wall, outward
 /// moved   the core is still to be put there
@@ -36,17 +36,18 @@ struct AtWall {
   bool moved;
 };
 
-/// The parts of a flow. Splitting and merging conserve sum gamma (centre + offset) exactly, without
+/// Those of a flow. Splitting and merging conserve sum gamma (centre + offset) exactly, without
 /// an inverse of the folded moments for each child and each merger: one for each blob that is left.
-struct Parts {
-  Unwritten<Part> all;
+struct AdaptedBlobs {
+  Unwritten<AdaptedBlob> all;
   std::vector<AtWall> at_wall;
 };
 
-/// What a part with this core knows of the wall point nearest to its centre.
+/// What a blob with this core knows of the wall point nearest to its centre.
 AtWall beside(const body::WallPoint& nearest, const Core& core);
 
-Parts loosened(const Blobs& blobs, const body::Shape* wall);
-Blobs settled(const Parts& parts, const body::Shape* wall);
+/// From blobs to what splits and merges, and back.
+AdaptedBlobs unpack(const Blobs& blobs, const body::Shape* wall);
+Blobs pack(const AdaptedBlobs& adapted, const body::Shape* wall);
 
 }  // namespace vortree::vortex

@@ -15,18 +15,18 @@
 namespace vortree::vortex {
 namespace {
 
-using merge_kernel::Choice;
 using merge_kernel::Limits;
+using merge_kernel::MergeChoice;
 using merge_kernel::none;
 
-/// At candidates, in the mean of a part: flows that went well took at most 33. And a second's work,
-/// which a few parts may take anyway.
+/// At candidates, in the mean of a blob: flows that went well took at most 33. And a second's work,
+/// which a few blobs may take anyway.
 constexpr std::size_t most_looks = 2000, few_looks = 100'000'000;
 
-/// Merges like signed parts wherever they are, until no pair is left.
+/// Merges like signed blobs wherever they are, until no pair is left.
 class Remainder {
  public:
-  Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Merging& merging);
+  Remainder(std::span<AdaptedBlob> adapted, std::span<AtWall> at_wall, const Merging& merging);
 
   /// Flags in `gone` those that have merged into others; false if they crowd too much.
   [[nodiscard]] bool merge(std::span<char> gone);
@@ -35,10 +35,10 @@ class Remainder {
   using Number = std::uint32_t;
 
   void look_at(Number i) {
-    const Part& p = parts_[i];
+    const AdaptedBlob& p = adapted_[i];
     candidates_.put(slot_[i], limits_.units, p.centre(), std::abs(p.gamma), p.square, p.widening);
   }
-  bool crowded() const { return looked_ > std::max(most_looks * parts_.size(), few_looks); }
+  bool crowded() const { return looked_ > std::max(most_looks * adapted_.size(), few_looks); }
   double reach_of(std::size_t slot) const;
   std::size_t seek_together(std::span<const Number> seeking);
   void seek_alone(Number i);
@@ -47,42 +47,43 @@ class Remainder {
   void join(Number into, Number other);
   std::vector<Number> deserted();
 
-  std::span<Part> parts_;
+  std::span<AdaptedBlob> adapted_;
   std::span<AtWall> at_wall_;
   Limits limits_;
   double side_;  // of what seeks together
   Bins bins_;
   std::vector<Number> slot_;  // place in the bins' order, which is that of the candidates
-  merge_kernel::Columns<std::vector<float>> candidates_;
+  merge_kernel::MergeColumns<std::vector<float>> candidates_;
   std::vector<float> home_x_, home_y_;  // of candidates when they were binned
   float farthest_from_home_ = 0;
-  std::vector<Choice> choice_;
+  std::vector<MergeChoice> choice_;
   std::vector<Number> choosers_;  // all who have a choice
   std::vector<char> paired_;
   std::atomic<std::size_t> looked_ = 0;  // at candidates
 };
 
-Bins binned(std::span<const Part> parts, double side) {
-  std::vector<double> x(parts.size()), y(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    x[i] = parts[i].x;
-    y[i] = parts[i].y;
+Bins binned(std::span<const AdaptedBlob> adapted, double side) {
+  std::vector<double> x(adapted.size()), y(adapted.size());
+  for (std::size_t i = 0; i < adapted.size(); ++i) {
+    x[i] = adapted[i].x;
+    y[i] = adapted[i].y;
   }
   return Bins(x, y, side);
 }
 
-Remainder::Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Merging& merging)
-    : parts_(parts),
+Remainder::Remainder(std::span<AdaptedBlob> adapted, std::span<AtWall> at_wall,
+                     const Merging& merging)
+    : adapted_(adapted),
       at_wall_(at_wall),
       limits_(merging),
       side_(4 * merging.sigma_max),
-      bins_(binned(parts, merging.reach * merging.sigma_max / 4)),
-      slot_(parts.size()),
-      choice_(parts.size()),
-      paired_(parts.size()) {
-  candidates_.resize(parts.size() + single_count);
-  std::fill(candidates_.x.begin() + parts.size(), candidates_.x.end(), merge_kernel::never);
-  const std::ptrdiff_t n = std::ssize(parts);
+      bins_(binned(adapted, merging.reach * merging.sigma_max / 4)),
+      slot_(adapted.size()),
+      choice_(adapted.size()),
+      paired_(adapted.size()) {
+  candidates_.resize(adapted.size() + single_count);
+  std::fill(candidates_.x.begin() + adapted.size(), candidates_.x.end(), merge_kernel::never);
+  const std::ptrdiff_t n = std::ssize(adapted);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t k = 0; k < n; ++k) {
     const Number i = bins_.order()[k];
@@ -94,7 +95,7 @@ Remainder::Remainder(std::span<Part> parts, std::span<AtWall> at_wall, const Mer
 }
 
 /// Partners of no smaller circulation: the error allows them no farther away than for half this
-/// part's circulation. Smaller ones choose this part themselves.
+/// blob's circulation. Smaller ones choose this blob themselves.
 double Remainder::reach_of(std::size_t slot) const {
   const float allowed =
       2 * limits_.tolerance / (candidates_.gamma[slot] * candidates_.inverse_cube[slot]);
@@ -107,9 +108,9 @@ double Remainder::reach_of(std::size_t slot) const {
 std::size_t Remainder::seek_together(std::span<const Number> seeking) {
   merge_kernel::Seekers<Singles> seekers;
   Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  const Part& first = parts_[seeking[0]];
+  const AdaptedBlob& first = adapted_[seeking[0]];
   for (Number i : seeking.first(std::min(seeking.size(), seekers.most))) {
-    const Part& p = parts_[i];
+    const AdaptedBlob& p = adapted_[i];
     if (std::max(std::abs(p.x - first.x), std::abs(p.y - first.y)) > side_) break;
     const Number slot = slot_[i];
     seekers.add(candidates_, slot, slot);
@@ -126,7 +127,7 @@ std::size_t Remainder::seek_together(std::span<const Number> seeking) {
     looked_.fetch_add(looked, std::memory_order_relaxed);
   });
   for (std::size_t k = 0; k < seekers.size(); ++k) {
-    Choice choice = seekers.choice(k);
+    MergeChoice choice = seekers.choice(k);
     if (choice.partner != none) choice.partner = bins_.order()[choice.partner];
     choice_[seeking[k]] = choice;
   }
@@ -134,7 +135,7 @@ std::size_t Remainder::seek_together(std::span<const Number> seeking) {
 }
 
 void Remainder::seek_alone(Number i) {
-  const Part& p = parts_[i];
+  const AdaptedBlob& p = adapted_[i];
   const double reach = reach_of(slot_[i]);
   merge_kernel::LoneSeeker seeker(candidates_, slot_[i]);
   std::size_t looked = 0;
@@ -152,7 +153,7 @@ void Remainder::choose(std::span<const Number> seeking) {
   constexpr std::size_t chunk = 256;
   const std::size_t chunks = (seeking.size() + chunk - 1) / chunk;
   // When all seek, neighbors look at the same candidates; few seldom are neighbors.
-  const bool together = seeking.size() == parts_.size();
+  const bool together = seeking.size() == adapted_.size();
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t c = 0; c < chunks; ++c) {
     auto left = seeking.subspan(c * chunk).first(std::min(chunk, seeking.size() - c * chunk));
@@ -165,8 +166,8 @@ void Remainder::choose(std::span<const Number> seeking) {
     if (choice_[i].partner != none) choosers_.push_back(i);
   for (std::size_t k = 0; k < choosers_.size(); ++k) {
     const Number i = choosers_[k];
-    const Choice mine = choice_[i];
-    Choice& theirs = choice_[mine.partner];
+    const MergeChoice mine = choice_[i];
+    MergeChoice& theirs = choice_[mine.partner];
     if (theirs.partner == none) choosers_.push_back(mine.partner);
     if (mine.error < theirs.error || (mine.error == theirs.error && i < theirs.partner))
       theirs = {i, mine.error};
@@ -184,7 +185,7 @@ std::vector<std::pair<Remainder::Number, Remainder::Number>> Remainder::mutual_p
 }
 
 void Remainder::join(Number into, Number other) {
-  merge_kernel::merge(parts_[into], parts_[other], at_wall_);
+  merge_kernel::merge(adapted_[into], adapted_[other], at_wall_);
   look_at(into);
   const Number slot = slot_[into];
   candidates_.x[slot_[other]] = merge_kernel::never;  // out of everybody's reach
@@ -206,7 +207,7 @@ std::vector<Remainder::Number> Remainder::deserted() {
 }
 
 bool Remainder::merge(std::span<char> gone) {
-  std::vector<Number> seeking(parts_.size());
+  std::vector<Number> seeking(adapted_.size());
   std::iota(seeking.begin(), seeking.end(), 0u);
   while (!seeking.empty()) {
     choose(seeking);
@@ -224,10 +225,11 @@ bool Remainder::merge(std::span<char> gone) {
   return true;
 }
 
-void merge_remainder(Parts& parts, const Merging& merging) {
-  std::vector<char> gone(parts.all.size());
-  const auto negative = std::ranges::find_if(parts.all, [](const Part& p) { return p.gamma < 0; });
-  const std::size_t split = negative - parts.all.begin(), n = parts.all.size();
+void merge_remainder(AdaptedBlobs& adapted, const Merging& merging) {
+  std::vector<char> gone(adapted.all.size());
+  const auto negative =
+      std::ranges::find_if(adapted.all, [](const AdaptedBlob& p) { return p.gamma < 0; });
+  const std::size_t split = negative - adapted.all.begin(), n = adapted.all.size();
   const std::array borders{std::size_t{0}, split, n};
   // Few threads are put to better use by a sign each than by what is parallel within one.
   const int threads = omp_get_max_threads();
@@ -237,37 +239,37 @@ void merge_remainder(Parts& parts, const Merging& merging) {
   for (int sign = 0; sign < 2; ++sign) {
     const std::size_t first = borders[sign], size = borders[sign + 1] - first;
     if (size > 0)
-      merged[sign] =
-          Remainder({&parts.all[first], size}, parts.at_wall, merging).merge({&gone[first], size});
+      merged[sign] = Remainder({&adapted.all[first], size}, adapted.at_wall, merging)
+                         .merge({&gone[first], size});
   }
   if (!merged[0] || !merged[1]) throw Crowded(n);
   std::size_t left = 0;
   for (std::size_t i = 0; i < n; ++i)
-    if (!gone[i]) parts.all[left++] = parts.all[i];
-  parts.all.resize(left);
+    if (!gone[i]) adapted.all[left++] = adapted.all[i];
+  adapted.all.resize(left);
 }
 
 }  // namespace
 
-void merge_close(Parts& parts, const Merging& merging) {
-  if (merging.tolerance <= 0 || parts.all.size() < 2) return;
+void merge_close(AdaptedBlobs& adapted, const Merging& merging) {
+  if (merging.tolerance <= 0 || adapted.all.size() < 2) return;
   // What lies within a core or so merges in windows. Farther partners are for weak vorticity, where
   // sigma_max is what limits mergers: taken at a window's border they would leave more blobs.
   Merging near = merging;
   double shift = 0;
   for (double cores : {1.2, 1.5}) {
     near.reach = std::min(merging.reach, cores);
-    merge_in_windows(parts, near, shift);
+    merge_in_windows(adapted, near, shift);
     shift += 0.37;  // no border of a quarter of a tile is one again
   }
-  merge_remainder(parts, merging);
+  merge_remainder(adapted, merging);
 }
 
 void merge_close(Blobs& blobs, const Merging& merging, const body::Shape* wall) {
   if (merging.tolerance <= 0 || blobs.size() < 2) return;
-  Parts parts = loosened(blobs, wall);
-  merge_close(parts, merging);
-  blobs = settled(parts, wall);
+  AdaptedBlobs adapted = unpack(blobs, wall);
+  merge_close(adapted, merging);
+  blobs = pack(adapted, wall);
 }
 
 }  // namespace vortree::vortex

@@ -18,13 +18,13 @@ struct Merging {
   double sigma_max;
 };
 
-/// So many parts lie so close that each has thousands within its reach, and still may not merge.
+/// So many blobs lie so close that each has thousands within its reach, and still may not merge.
 struct Crowded : std::runtime_error {
-  std::size_t parts;
+  std::size_t blobs;
 
   explicit Crowded(std::size_t count)
       : std::runtime_error(std::to_string(count) + " blobs crowd in one place and cannot merge"),
-        parts(count) {}
+        blobs(count) {}
 };
 
 /// Merges pairs of like sign, each the partner with which the other errs least:
@@ -35,7 +35,7 @@ struct Crowded : std::runtime_error {
 ///
 /// d = |x_1 - x_2|. The left side is the moment that the pair and the merged blob differ in;
 /// divided by sigma^3 it is the velocity error at a distance of a core. Conserves circulation,
-/// impulse and second moment. Next to a wall x is the acting position; what the pair spreads along
+/// impulse and second moment. Next to a wall x is the folded centroid; what the pair spreads along
 /// the wall stays in the covariance, so that merging along it diffuses nothing away from it; there
 /// a merger may pass sigma_max a little.
 ///
@@ -52,7 +52,7 @@ struct Crowded : std::runtime_error {
 /// cost    O(blobs) for the windows; for what they leave, times the candidates within reach
 void merge_close(Blobs& blobs, const Merging& merging, const body::Shape* wall);
 
-/// The same for what was split; parts beside a wall are still to be settled there.
-void merge_close(Parts& parts, const Merging& merging);
+/// The same for what was split; blobs beside a wall are still to be put there (pack).
+void merge_close(AdaptedBlobs& adapted, const Merging& merging);
 
 }  // namespace vortree::vortex

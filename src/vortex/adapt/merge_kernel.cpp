@@ -13,8 +13,8 @@ Vec2 unit(Vec2 a) {
 }
 
 /// What lies beside the wall of both, the second's share added to the first's. Tilt is that of
-/// acting positions.
-void merge_at_wall(Part& p, const Part& q, double w, Covariance& spread, Vec2& normal,
+/// folded centroids.
+void merge_at_wall(AdaptedBlob& p, const AdaptedBlob& q, double w, Covariance& spread, Vec2& normal,
                    std::span<AtWall> at_wall) {
   const std::uint32_t slot = p.at_wall != no_wall ? p.at_wall : q.at_wall;
   const AtWall& other = at_wall[q.at_wall != no_wall ? q.at_wall : slot];
@@ -22,8 +22,9 @@ void merge_at_wall(Part& p, const Part& q, double w, Covariance& spread, Vec2& n
   const Vec2 offset_q = q.at_wall != no_wall ? at_wall[q.at_wall].offset : Vec2{};
   normal = unit(at_wall[slot].normal + other.normal);
   const Vec2 tangent{-normal.y, normal.x};
-  const Vec2 apart = p.centre() - q.centre(), acting = apart + offset_p - offset_q;
-  spread = {dot(normal, apart) * dot(normal, apart), dot(normal, acting) * dot(tangent, acting),
+  const Vec2 apart = p.centre() - q.centre(), folded_apart = apart + offset_p - offset_q;
+  spread = {dot(normal, apart) * dot(normal, apart),
+            dot(normal, folded_apart) * dot(tangent, folded_apart),
             dot(tangent, apart) * dot(tangent, apart)};
   at_wall[slot] = {w * offset_p + (1 - w) * offset_q, normal, true};
   p.at_wall = slot;
@@ -31,7 +32,7 @@ void merge_at_wall(Part& p, const Part& q, double w, Covariance& spread, Vec2& n
 
 }  // namespace
 
-void merge(Part& p, const Part& q, std::span<AtWall> at_wall) {
+void merge(AdaptedBlob& p, const AdaptedBlob& q, std::span<AtWall> at_wall) {
   const double gamma = p.gamma + q.gamma, w = gamma != 0 ? p.gamma / gamma : 0.5;
   const Vec2 apart = p.centre() - q.centre();
   Vec2 axis{1, 0};
@@ -59,7 +60,7 @@ constexpr std::uint32_t bit(std::uint8_t i) {
 }  // namespace
 
 /// Those who seek, a vector of them at a time, look at all who live.
-void Window::choose(const Limits& limits) {
+void MergeWindow::choose(const Limits& limits) {
   chose_ &= ~seeking_;
   for (Set left = seeking_; left != 0;) {
     Seekers<Singles> seekers;
@@ -72,7 +73,7 @@ void Window::choose(const Limits& limits) {
     seekers.choose(traits_, limits,
                    [&](auto consider) { for_each(alive_, [&](Number i) { consider(i); }); });
     for (std::size_t k = 0; k < seekers.size(); ++k) {
-      const Choice choice = seekers.choice(k);
+      const MergeChoice choice = seekers.choice(k);
       error_[who[k]] = choice.error;
       partner_[who[k]] = static_cast<Number>(choice.partner);
       chose_ |= choice.partner != none ? bit(who[k]) : 0;
@@ -81,7 +82,7 @@ void Window::choose(const Limits& limits) {
 }
 
 /// Those who chose are offered to whom they chose.
-void Window::offer() {
+void MergeWindow::offer() {
   for_each(seeking_ & chose_, [&](Number i) {
     const Number j = partner_[i];
     if (error_[i] >= error_[j]) return;
@@ -92,7 +93,7 @@ void Window::offer() {
 }
 
 /// The first of each mutual pair; they and those they have left alone seek again.
-Window::Set Window::pair_up() {
+MergeWindow::Set MergeWindow::pair_up() {
   Set first = 0, second = 0, alone = 0;
   for_each(chose_, [&](Number i) {
     const Number j = partner_[i];
@@ -108,19 +109,19 @@ Window::Set Window::pair_up() {
   return first;
 }
 
-void Window::look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
-                     const Limits& limits) {
-  const Vec2 first = parts[members[0]].centre();
+void MergeWindow::look_at(std::span<const std::uint32_t> members,
+                          std::span<const AdaptedBlob> adapted, const Limits& limits) {
+  const Vec2 first = adapted[members[0]].centre();
   for (std::size_t i = 0; i < members.size(); ++i) {
-    const Part& p = parts[members[i]];
+    const AdaptedBlob& p = adapted[members[i]];
     traits_.put(i, limits.units, p.centre() - first, std::abs(p.gamma), p.square, p.widening);
   }
 }
 
-std::size_t Window::merge(std::span<std::uint32_t> members, std::span<Part> parts,
-                          std::span<AtWall> at_wall, const Limits& limits) {
-  const Vec2 first_place = parts[members[0]].centre();
-  look_at(members, parts, limits);
+std::size_t MergeWindow::merge(std::span<std::uint32_t> members, std::span<AdaptedBlob> adapted,
+                               std::span<AtWall> at_wall, const Limits& limits) {
+  const Vec2 first_place = adapted[members[0]].centre();
+  look_at(members, adapted, limits);
   error_.fill(never);
   partner_.fill(nobody);
   chose_ = 0;
@@ -131,8 +132,8 @@ std::size_t Window::merge(std::span<std::uint32_t> members, std::span<Part> part
     const Set first = pair_up();
     if (first == 0) break;
     for_each(first, [&](Number i) {
-      Part& p = parts[members[i]];
-      merge_kernel::merge(p, parts[members[partner_[i]]], at_wall);
+      AdaptedBlob& p = adapted[members[i]];
+      merge_kernel::merge(p, adapted[members[partner_[i]]], at_wall);
       traits_.put(i, limits.units, p.centre() - first_place, std::abs(p.gamma), p.square,
                   p.widening);
     });

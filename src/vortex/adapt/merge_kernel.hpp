@@ -55,7 +55,7 @@ constexpr float never = std::numeric_limits<float>::infinity();
 constexpr std::uint32_t none = ~0u;
 
 /// The partner with which merging costs least.
-struct Choice {
+struct MergeChoice {
   std::uint32_t partner = none;
   float error = never;
 };
@@ -88,7 +88,7 @@ struct Traits {
   V x, y, gamma, square, inverse_cube, widening2;
 };
 
-/// Error of merging a with b, and where merge_close.hpp allows it but for the tolerance: for parts
+/// Error of merging a with b, and where merge_close.hpp allows it but for the tolerance: for blobs
 /// of like sign, whose gamma are both given as positive.
 template <class V>
 struct Price {
@@ -120,7 +120,7 @@ template <class V>
 
 /// Traits in columns.
 template <class Column>
-struct Columns {
+struct MergeColumns {
   Column x, y, gamma, square, inverse_cube, widening2;
 
   void resize(std::size_t n) {
@@ -159,7 +159,7 @@ struct Columns {
   }
 };
 
-/// Parts that look for partners together, one a lane.
+/// Blobs that look for partners together, one a lane.
 template <class V>
 class Seekers {
  public:
@@ -194,9 +194,9 @@ class Seekers {
     store(partners_.data(), partner);
   }
 
-  Choice choice(std::size_t k) const {
+  MergeChoice choice(std::size_t k) const {
     const std::uint32_t partner = number(partners_[k]);
-    return partner != none ? Choice{partner, errors_[k]} : Choice{};
+    return partner != none ? MergeChoice{partner, errors_[k]} : MergeChoice{};
   }
 
  private:
@@ -204,12 +204,12 @@ class Seekers {
   static float tag(std::uint32_t number) { return std::bit_cast<float>(number + 0x3f800000u); }
   static std::uint32_t number(float tag) { return std::bit_cast<std::uint32_t>(tag) - 0x3f800000u; }
 
-  Columns<std::array<float, most>> mine_;
+  MergeColumns<std::array<float, most>> mine_;
   std::array<float, most> numbers_, errors_, partners_;
   std::size_t size_ = 0;
 };
 
-/// The partner of part `own` among the candidates in runs of columns, a vector of them at a time;
+/// The partner of blob `own` among the candidates in runs of columns, a vector of them at a time;
 /// the same as Seekers choose, but for candidates beyond a run's end, which count, too. Columns
 /// must go on for a vector's more places, whose x is `never`.
 class LoneSeeker {
@@ -226,7 +226,7 @@ class LoneSeeker {
     }
   }
 
-  Choice choice() const { return least_; }
+  MergeChoice choice() const { return least_; }
 
  private:
   void take(Singles e, std::uint32_t first) {
@@ -236,17 +236,17 @@ class LoneSeeker {
 
   Traits<Singles> mine_;
   std::uint32_t own_;
-  Choice least_;
+  MergeChoice least_;
 };
 
-/// Like signed parts that merge among each other, at most so many at once.
-class Window {
+/// Like signed blobs that merge among each other, at most so many at once.
+class MergeWindow {
  public:
   static constexpr std::size_t most = 32;
 
-  /// Merges pairs of mutual choice until there is none. `members` are numbers of parts; those that
+  /// Merges pairs of mutual choice until there is none. `members` are numbers of blobs; those that
   /// are left come first, in their order, and are counted.
-  std::size_t merge(std::span<std::uint32_t> members, std::span<Part> parts,
+  std::size_t merge(std::span<std::uint32_t> members, std::span<AdaptedBlob> adapted,
                     std::span<AtWall> at_wall, const Limits& limits);
 
  private:
@@ -254,19 +254,19 @@ class Window {
   using Number = std::uint8_t;
   static constexpr Number nobody = 0xff;
 
-  void look_at(std::span<const std::uint32_t> members, std::span<const Part> parts,
+  void look_at(std::span<const std::uint32_t> members, std::span<const AdaptedBlob> adapted,
                const Limits& limits);
   void choose(const Limits& limits);
   void offer();
   Set pair_up();
 
-  Columns<std::array<float, most>> traits_;
+  MergeColumns<std::array<float, most>> traits_;
   std::array<float, most> error_;
   std::array<Number, most> partner_;
   Set alive_, seeking_, chose_;
 };
 
 /// Merges q into p.
-void merge(Part& p, const Part& q, std::span<AtWall> at_wall);
+void merge(AdaptedBlob& p, const AdaptedBlob& q, std::span<AtWall> at_wall);
 
 }  // namespace vortree::vortex::merge_kernel

@@ -62,10 +62,10 @@ struct Parted {
     constexpr double most = 0.9, flattest = 0.98;
     const double b = parent.square * (1 - alpha2) / 2, child = parent.square * alpha2 / 2;
     const double size = parent.deviator.size();
-    const double part = std::min({size, std::max(most * b, (1 - alpha2) * size), flattest * b});
+    const double spread = std::min({size, std::max(most * b, (1 - alpha2) * size), flattest * b});
     if (size == 0) return;
-    shown = (part / size) * parent.deviator;
-    kept = (std::min(size - part, flattest * child) / size) * parent.deviator;
+    shown = (spread / size) * parent.deviator;
+    kept = (std::min(size - spread, flattest * child) / size) * parent.deviator;
   }
 };
 
@@ -84,7 +84,8 @@ struct Root {
 };
 
 /// The children of a free blob.
-void split_freely(std::span<Part> children, const Part& parent, double alpha2, const Rings& rings) {
+void split_freely(std::span<AdaptedBlob> children, const AdaptedBlob& parent, double alpha2,
+                  const Rings& rings) {
   const double b = parent.square * (1 - alpha2) / 2;
   const Parted deviator(parent.core(), alpha2);
   const Root root(b, deviator.shown);
@@ -111,7 +112,7 @@ struct Mean {
   double value, slope;
 
   explicit Mean(double q) : value(std::abs(q)), slope(std::copysign(1.0, q)) {
-    if (value >= folded::reach) return;
+    if (value >= folded::support) return;
     const folded::Profile p = folded::profile(q);
     value = p.mean;
     slope = p.erf;
@@ -153,8 +154,8 @@ Cross cross(double q, double wider) {
 
 /// The children of a blob that the wall folds: a cross along and across the wall, sheared by the
 /// parent's tilt. All are to act so far from where they would that their mean stays.
-void split_at_wall(std::span<Part> children, std::span<AtWall> at_wall, const Part& parent,
-                   double alpha2, const body::Shape& wall) {
+void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
+                   const AdaptedBlob& parent, double alpha2, const body::Shape& wall) {
   const body::WallPoint w = wall.nearest(parent.centre());
   const double child2 = alpha2 * parent.square, child = std::sqrt(child2);
   const Parted deviator(parent.core(), alpha2);
@@ -177,7 +178,7 @@ void split_at_wall(std::span<Part> children, std::span<AtWall> at_wall, const Pa
   // Mirror images of parents have mirror images of children, in their order.
   const double along = std::copysign(std::sqrt((behind - lean * tilt) / c.share), parent.gamma);
   const std::array<double, 4> aside{along, -along, 0, 0};
-  const Placed as_one = acting_blob(parent.centre(), parent.core(), &wall);
+  const Placed as_one = fold(parent.centre(), parent.core(), &wall);
   const Vec2 foot = parent.centre() - w.distance * w.normal;
   Covariance own = Core{child2, deviator.kept}.covariance(w.normal);
   own.nt = std::clamp(own.nt + v.nt - tilt, -0.9 * std::sqrt(own.nn * own.tt),
@@ -201,46 +202,46 @@ void split_at_wall(std::span<Part> children, std::span<AtWall> at_wall, const Pa
     sum = sum + share[k] * (children[k].centre() + at_wall[k].offset);
   }
   const Vec2 shift = as_one.centre - sum;
-  for (AtWall& part : at_wall) {
-    part.offset = part.offset + shift;
-    part.moved = true;
+  for (AtWall& own : at_wall) {
+    own.offset = own.offset + shift;
+    own.moved = true;
   }
 }
 
 constexpr int children_at_wall = 4;
 
-/// Where the parts of each blob begin, and what they know of the wall.
+/// Where the children of each blob begin, and what they know of the wall.
 struct Places {
-  std::vector<std::uint32_t> part, at_wall;
+  std::vector<std::uint32_t> children, at_wall;
   std::vector<float> widening;
 
   Places(const Blobs& blobs, double widest, const Splitting& splitting, const body::Shape* wall)
-      : part(blobs.size() + 1), at_wall(blobs.size() + 1), widening(blobs.size(), 1.0f) {
+      : children(blobs.size() + 1), at_wall(blobs.size() + 1), widening(blobs.size(), 1.0f) {
     const auto n = static_cast<std::ptrdiff_t>(blobs.size());
     const double alpha = splitting.alpha;
     const bool coarsens = wall && !splitting.coarsening.everywhere_alike();
     // A child of those beyond is no nearer than it reaches.
-    const double reach_of_split =
-        std::max(folded::reach, folded::reach * alpha + 1.5 * std::sqrt(1 - alpha * alpha));
+    const double support_of_split =
+        std::max(folded::support, folded::support * alpha + 1.5 * std::sqrt(1 - alpha * alpha));
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = vortex::widest(blobs.core(i));
-      const bool near = wall && !wall->beyond(blobs.centre(i), reach_of_split * s);
+      const bool near = wall && !wall->beyond(blobs.centre(i), support_of_split * s);
       const double distance = near || coarsens ? wall->distance(blobs.centre(i)) : INFINITY;
       if (coarsens) widening[i] = splitting.coarsening.widening(distance);
       const bool splits = blobs.sigma[i] > widest * widening[i];
-      const bool folds = distance < (splits ? reach_of_split : folded::reach) * s;
-      part[i + 1] = !splits ? 1 : folds ? children_at_wall : splitting.children;
-      at_wall[i + 1] = folds ? part[i + 1] : 0;
+      const bool folds = distance < (splits ? support_of_split : folded::support) * s;
+      children[i + 1] = !splits ? 1 : folds ? children_at_wall : splitting.children;
+      at_wall[i + 1] = folds ? children[i + 1] : 0;
     }
     for (std::ptrdiff_t i = 0; i < n; ++i) {
-      part[i + 1] += part[i];
+      children[i + 1] += children[i];
       at_wall[i + 1] += at_wall[i];
     }
   }
 
   std::size_t children_of(std::size_t i) const {
-    return part[i + 1] - part[i];
+    return children[i + 1] - children[i];
   }
   bool beside_wall(std::size_t i) const {
     return at_wall[i + 1] > at_wall[i];
@@ -249,40 +250,40 @@ struct Places {
 
 }  // namespace
 
-Parts split_apart(const Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
-                  std::uint64_t step) {
+AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
+                         std::uint64_t step) {
   const auto n = static_cast<std::ptrdiff_t>(blobs.size());
   const double widest = splitting.sigma_max * (1 + 1e-12),
                alpha2 = splitting.alpha * splitting.alpha;
   const Places places(blobs, widest, splitting, wall);
   const Rings rings(splitting, step);
-  Parts parts;
-  parts.all.resize(places.part[n]);
-  parts.at_wall.resize(places.at_wall[n]);
+  AdaptedBlobs adapted;
+  adapted.all.resize(places.children[n]);
+  adapted.at_wall.resize(places.at_wall[n]);
 #pragma omp parallel for schedule(dynamic, 512)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Vec2 at = blobs.centre(i);
     const Core core = blobs.core(i);
     const bool near = places.beside_wall(i);
     const std::uint32_t slot = near ? places.at_wall[i] : no_wall;
-    const std::span<Part> made(&parts.all[places.part[i]], places.children_of(i));
-    const Part parent{at.x,          at.y, blobs.gamma[i],    core.square,
-                      core.deviator, slot, places.widening[i]};
+    const std::span<AdaptedBlob> made(&adapted.all[places.children[i]], places.children_of(i));
+    const AdaptedBlob parent{at.x,          at.y, blobs.gamma[i],    core.square,
+                             core.deviator, slot, places.widening[i]};
     if (made.size() == 1) {
       made[0] = parent;
-      if (near) parts.at_wall[slot] = beside(wall->nearest(at), core);
+      if (near) adapted.at_wall[slot] = beside(wall->nearest(at), core);
     } else if (near) {
-      split_at_wall(made, {&parts.at_wall[slot], made.size()}, parent, alpha2, *wall);
+      split_at_wall(made, {&adapted.at_wall[slot], made.size()}, parent, alpha2, *wall);
     } else {
       split_freely(made, parent, alpha2, rings);
     }
   }
-  return parts;
+  return adapted;
 }
 
 void split_wide(Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
                 std::uint64_t step) {
-  blobs = settled(split_apart(blobs, splitting, wall, step), wall);
+  blobs = pack(split_apart(blobs, splitting, wall, step), wall);
 }
 
 }  // namespace vortree::vortex

@@ -7,9 +7,9 @@
 namespace vortree::vortex {
 namespace {
 
-class Sum {
+class CompensatedSum {
  public:
-  void operator+=(const Sum& other) {
+  void operator+=(const CompensatedSum& other) {
     *this += other.total_;
     lost_ += other.lost_;
   }
@@ -24,10 +24,10 @@ class Sum {
   double total_ = 0, lost_ = 0;
 };
 
-struct Sums {
-  Sum circulation, x, y, second;
+struct InvariantSums {
+  CompensatedSum circulation, x, y, second;
 
-  void operator+=(const Sums& other) {
+  void operator+=(const InvariantSums& other) {
     circulation += other.circulation;
     x += other.x;
     y += other.y;
@@ -37,9 +37,9 @@ struct Sums {
 
 }  // namespace
 
-Invariants invariants(const Blobs& blobs, const Acting& at) {
-  const Sums all = ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
-    Sums sums;
+Invariants invariants(const Blobs& blobs, const FoldedBlobs& at) {
+  const InvariantSums all = ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
+    InvariantSums sums;
     for (std::size_t i = first; i < last; ++i) {
       const double g = blobs.gamma[i], s = blobs.sigma[i];
       sums.circulation += g;
@@ -53,7 +53,7 @@ Invariants invariants(const Blobs& blobs, const Acting& at) {
 }
 
 Invariants invariants(const Blobs& blobs, const body::Shape* wall) {
-  return invariants(blobs, acting(blobs, wall));
+  return invariants(blobs, fold(blobs, wall));
 }
 
 }  // namespace vortree::vortex

@@ -11,7 +11,7 @@ namespace vortree::vortex {
 ///   moment      = sum gamma X                       [m^3/s]; impulse = (moment.y, -moment.x)
 ///   second      = sum gamma (|X|^2 + sigma^2)       [m^4/s]
 ///
-/// X the acting position. Sums are compensated (Neumaier), so that a drift seen is a drift.
+/// X the folded centroid. Sums are compensated (Neumaier), so that a drift seen is a drift.
 struct Invariants {
   double circulation;
   Vec2 moment;
@@ -21,6 +21,6 @@ struct Invariants {
 };
 
 Invariants invariants(const Blobs& blobs, const body::Shape* wall);
-Invariants invariants(const Blobs& blobs, const Acting& at);
+Invariants invariants(const Blobs& blobs, const FoldedBlobs& at);
 
 }  // namespace vortree::vortex

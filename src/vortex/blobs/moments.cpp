@@ -35,7 +35,7 @@ double mean_distance(Vec2 centre, Vec2 axis, const Blobs& blobs, double gamma) {
 
 }  // namespace
 
-Form form(const Blobs& blobs) {
+Moments moments(const Blobs& blobs) {
   Half plus, minus;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     Half& half = blobs.gamma[i] > 0 ? plus : minus;
@@ -43,7 +43,7 @@ Form form(const Blobs& blobs) {
     half.moment = half.moment + blobs.gamma[i] * blobs.centre(i);
   }
   const double gamma = plus.gamma + minus.gamma;
-  Form result{plus.gamma, plus.centre(), {}, 0};
+  Moments result{plus.gamma, plus.centre(), {}, 0};
   if (std::abs(gamma) <= 1e-6 * (plus.gamma - minus.gamma)) {
     const Vec2 apart = plus.centre() - minus.centre();
     result.separation = std::sqrt(dot(apart, apart));

@@ -4,7 +4,7 @@
 
 namespace vortree::vortex {
 
-/// What shape the vorticity of free space has.
+/// Moments of the vorticity of free space, which tell its shape.
 ///
 /// positive       sum of the positive gamma [m^2/s], and where its centre is
 /// quadrupole     (int omega (x^2 - y^2) dA, int omega 2 x y dA) about the centre of vorticity
@@ -14,13 +14,13 @@ namespace vortree::vortex {
 ///                centres of the halves); of opposite ones, whose gamma cancel, the distance of
 ///                their centres
 /// cost           O(blobs)
-struct Form {
+struct Moments {
   double positive;
   Vec2 positive_centre;
   Vec2 quadrupole;
   double separation;
 };
 
-Form form(const Blobs& blobs);
+Moments moments(const Blobs& blobs);
 
 }  // namespace vortree::vortex

@@ -22,25 +22,25 @@ struct Box {
 /// that blobs leave, but is felt nowhere: of a wake that sheds gamma_s of either sign, h apart,
 /// every l of way the body misses a velocity of about gamma_s h/(2 pi l L), L its distance.
 /// (As two vortices far behind, one of each sign, it would drive itself back to the body.)
-struct Retired {
+struct Outflow {
   double gamma = 0;
   Vec2 moment;
   double of_both_signs = 0;
 
   void drift(Vec2 way) { moment = moment + gamma * way; }
-  friend Retired operator+(const Retired& a, const Retired& b) {
+  friend Outflow operator+(const Outflow& a, const Outflow& b) {
     return {a.gamma + b.gamma, a.moment + b.moment, a.of_both_signs + b.of_both_signs};
   }
 };
 
 /// Takes all blobs outside the box away, and says what they were.
-Retired retire(Blobs& blobs, const Box& box);
+Outflow remove_outside(Blobs& blobs, const Box& box);
 
 /// The same for blobs of no more circulation than `faintest`, of either sign [m^2/s].
 ///
 /// Where every step splits blobs, their children reach out faster than vorticity does: blobs of
 /// 1e-12 to 1e-120 U D soon outnumber all others, of which sums to a tolerance of 1e-6 feel
 /// nothing.
-Retired retire(Blobs& blobs, double faintest);
+Outflow remove_faint(Blobs& blobs, double faintest);
 
 }  // namespace vortree::vortex

@@ -100,7 +100,7 @@ Cost cost_of(const VortexCase& scene) {
   c.bytes = bytes_a_blob * c.blobs + c.wall_bytes + bytes_a_point * picture_points(scene.output);
   c.setup = 2.0 / 3 * panels * panels * panels / operations_a_second;
   const double sums = scene.time.scheme == flow::Scheme::rk4 ? 2 : 1, mean = (start + c.blobs) / 2;
-  const bool direct = scene.velocity.method == fmm::Method::direct;
+  const bool direct = scene.velocity.method == fmm::SumMethod::direct;
   const double velocities = direct ? 10 * mean * mean / operations_a_second : mean / blobs_a_second;
   const double solves = 4 * panels * panels / operations_a_second;
   const double pictures = static_cast<double>(scene.output.fields.size()) *
@@ -109,8 +109,8 @@ Cost cost_of(const VortexCase& scene) {
   return c;
 }
 
-std::vector<std::string> costly(const VortexCase& scene, double memory) {
-  std::vector<std::string> list;
+flow::Warnings costly(const VortexCase& scene, double memory) {
+  flow::Warnings list;
   const Cost c = cost_of(scene);
   if (c.setup > 60)
     list.push_back(fmt::format(

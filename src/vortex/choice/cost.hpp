@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "flow/warnings.hpp"
 #include "vortex/settings.hpp"
 
 namespace vortree::vortex {
@@ -29,7 +30,7 @@ std::size_t blobs_in(double bytes);
 
 /// A sentence for each cost that somebody may not have meant: more than an hour, more than half the
 /// memory, a wall that takes minutes.
-std::vector<std::string> costly(const VortexCase& scene, double memory);
+flow::Warnings costly(const VortexCase& scene, double memory);
 
 /// throws  Refused, with the numbers, for a scene that needs more memory than there is
 void refuse_beyond(const VortexCase& scene, double memory);

@@ -17,9 +17,9 @@
 namespace vortree::vortex {
 namespace {
 
-using List = std::vector<std::string>;
+using flow::Warnings;
 
-void doubt_reynolds(List& list, const VortexCase& scene) {
+void doubt_reynolds(Warnings& list, const VortexCase& scene) {
   constexpr double least = 20, most = 10'000;
   const double reynolds = flow::fastest_of(scene) * body::length_of(*scene.body) / scene.flow.nu;
   if (reynolds < 0.999 * least || reynolds > 2 * most)
@@ -30,7 +30,7 @@ void doubt_reynolds(List& list, const VortexCase& scene) {
                          : "; above, flows of this kind are turbulent and not plane"));
 }
 
-void doubt_cores(List& list, const VortexCase& scene) {
+void doubt_cores(Warnings& list, const VortexCase& scene) {
   const double layer = boundary_layer(scene), widest = scene.cores.sigma_max;
   const double error = widest * widest / (16 * layer * layer);
   if (error > 0.05)
@@ -54,7 +54,7 @@ void doubt_cores(List& list, const VortexCase& scene) {
         from, std::pow(0.5 * size / from, 0.75), 0.5 * size));
 }
 
-void doubt_step(List& list, const VortexCase& scene) {
+void doubt_step(Warnings& list, const VortexCase& scene) {
   const double size = body::length_of(*scene.body), speed = flow::fastest_of(scene);
   const double turn = turn_at_wall(scene), dt = scene.time.dt;
   if (turn > 2)
@@ -75,7 +75,7 @@ void doubt_step(List& list, const VortexCase& scene) {
         1 / (dt * scene.plunge->frequency), 0.01 / scene.plunge->frequency));
 }
 
-void doubt_panels(List& list, const body::BodySettings& body, double thin) {
+void doubt_panels(Warnings& list, const body::BodySettings& body, double thin) {
   const double around = body::perimeter_of(body), panel = around / body.panels;
   if (panel > 6 * thin)
     list.push_back(fmt::format(
@@ -93,14 +93,14 @@ void doubt_panels(List& list, const body::BodySettings& body, double thin) {
         std::ceil(around / (panel_at_tip * tip))));
 }
 
-void doubt_body(List& list, const VortexCase& scene) {
+void doubt_body(Warnings& list, const VortexCase& scene) {
   doubt_reynolds(list, scene);
   doubt_cores(list, scene);
   doubt_step(list, scene);
   doubt_panels(list, *scene.body, scene.cores.sigma_0);
 }
 
-void doubt_initial(List& list, const flow::InitialSettings& i, double core) {
+void doubt_initial(Warnings& list, const flow::InitialSettings& i, double core) {
   if (i.spacing > 1.4)
     list.push_back(
         fmt::format("initial.spacing = {:.2g}: blobs so many cores apart leave gaps, an error of "
@@ -113,7 +113,7 @@ void doubt_initial(List& list, const flow::InitialSettings& i, double core) {
   for (std::string& doubt : i.kind->doubts(i, core)) list.push_back(std::move(doubt));
 }
 
-void doubt_vortex(List& list, const VortexCase& scene) {
+void doubt_vortex(Warnings& list, const VortexCase& scene) {
   const double width = flow::least_width(*scene.initial);
   const double turn = turn_of_vortex(scene);
   const double most = scene.time.scheme == flow::Scheme::rk4 ? 1 : 0.5;
@@ -131,7 +131,7 @@ void doubt_vortex(List& list, const VortexCase& scene) {
 
 /// Where doubles are too coarse for places: positions are computed as seen from the flow's centre,
 /// but written as they are in the scene.
-void doubt_places(List& list, const VortexCase& scene) {
+void doubt_places(Warnings& list, const VortexCase& scene) {
   constexpr double share = 0.01, spacing = 0x1p-52;
   const auto doubt = [&](const char* key, const Pair& centre, const Pair& way) {
     const double far = std::max(std::hypot(centre[0], centre[1]),
@@ -154,8 +154,8 @@ void doubt_places(List& list, const VortexCase& scene) {
 
 }  // namespace
 
-std::vector<std::string> warnings(const VortexCase& scene) {
-  List list;
+flow::Warnings warnings(const VortexCase& scene) {
+  Warnings list;
   doubt_places(list, scene);
   if (scene.body && flow::fastest_of(scene) > 0 && scene.flow.nu > 0) doubt_body(list, scene);
   if (scene.initial) doubt_initial(list, *scene.initial, scene.cores.sigma_0);

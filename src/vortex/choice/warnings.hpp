@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "flow/warnings.hpp"
 #include "vortex/settings.hpp"
 
 namespace vortree::vortex {
@@ -27,6 +28,6 @@ namespace vortree::vortex {
 /// Anywhere: children wider than mergers may be, mergers that may do anything or nothing, sums of
 /// few terms (warnings_of_means.hpp); pictures and frames of nothing; what the run will cost
 /// (cost.hpp).
-std::vector<std::string> warnings(const VortexCase& scene);
+flow::Warnings warnings(const VortexCase& scene);
 
 }  // namespace vortree::vortex

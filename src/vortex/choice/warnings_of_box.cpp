@@ -31,7 +31,7 @@ double far_enough(const VortexCase& scene, const Pair& normal) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of_box(const VortexCase& scene) {
+flow::Warnings warnings_of_box(const VortexCase& scene) {
   if (!scene.merging.box || !scene.body || flow::fastest_of(scene) == 0) return {};
   constexpr std::array<Pair, 4> normals{{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
   const Pair half = body::half_extent(*scene.body);

@@ -12,7 +12,7 @@
 namespace vortree::vortex {
 namespace {
 
-using List = std::vector<std::string>;
+using flow::Warnings;
 
 /// What becomes of blobs that do not merge.
 std::string multiplies(const VortexCase& scene) {
@@ -31,7 +31,7 @@ double crowding_at_start(const VortexCase& scene) {
          std::sqrt(panel / (2.4 * scene.cores.sigma_0));
 }
 
-void doubt_start(List& list, const VortexCase& scene) {
+void doubt_start(Warnings& list, const VortexCase& scene) {
   constexpr double risky = 0.66, good = 0.5;
   const double crowding = crowding_at_start(scene), widest = scene.cores.sigma_max;
   if (crowding < risky) return;
@@ -47,7 +47,7 @@ void doubt_start(List& list, const VortexCase& scene) {
       narrow < 0.65 ? "" : fmt::format(", or splitting.alpha = {:.2g},", narrow)));
 }
 
-void doubt_splitting(List& list, const VortexCase& scene) {
+void doubt_splitting(Warnings& list, const VortexCase& scene) {
   const double nu = scene.flow.nu, dt = scene.time.dt, alpha = scene.splitting.alpha;
   const double child = width_of_endless_splits(scene), widest = scene.cores.sigma_max;
   const bool past_body = scene.body && flow::fastest_of(scene) > 0;
@@ -75,7 +75,7 @@ void doubt_splitting(List& list, const VortexCase& scene) {
 
 /// speed: that of the flow where it matters to a merger; right: the tolerance that goes with an
 /// accuracy of 0.01.
-void doubt_merging(List& list, const VortexCase& scene, double speed, double right) {
+void doubt_merging(Warnings& list, const VortexCase& scene, double speed, double right) {
   const double tolerance = scene.merging.tolerance;
   if (tolerance == 0)
     list.push_back(fmt::format("merging.tolerance = 0: nothing merges; {}; {:.2g} keeps them few",
@@ -101,7 +101,7 @@ void doubt_merging(List& list, const VortexCase& scene, double speed, double rig
         scene.merging.reach));
 }
 
-void doubt_spreading(List& list, const VortexCase& scene) {
+void doubt_spreading(Warnings& list, const VortexCase& scene) {
   if (!spreads_cores(scene)) return;
   doubt_splitting(list, scene);
   if (scene.body && flow::fastest_of(scene) > 0) {
@@ -114,7 +114,7 @@ void doubt_spreading(List& list, const VortexCase& scene) {
   }
 }
 
-void doubt_other_diffusion(List& list, const VortexCase& scene) {
+void doubt_other_diffusion(Warnings& list, const VortexCase& scene) {
   const double step = std::sqrt(4 * scene.flow.nu * scene.time.dt), core = scene.cores.sigma_0;
   if (scene.diffusion.kind == Diffusion::random_walk && step > core)
     list.push_back(fmt::format(
@@ -129,8 +129,8 @@ void doubt_other_diffusion(List& list, const VortexCase& scene) {
         scene.initial->spacing));
 }
 
-void doubt_sums(List& list, const VelocitySettings& velocity) {
-  if (velocity.method == fmm::Method::direct) return;
+void doubt_sums(Warnings& list, const VelocitySettings& velocity) {
+  if (velocity.method == fmm::SumMethod::direct) return;
   const std::string few = doubt_of_terms(
       velocity.order, fmt::format("velocity.order = {}", velocity.order), "velocity.tolerance");
   if (!few.empty())
@@ -151,8 +151,8 @@ std::string doubt_of_terms(int order, std::string_view given, std::string_view t
                      0.1 * std::pow(0.5, order), tolerance);
 }
 
-List warnings_of_means(const VortexCase& scene) {
-  List list;
+Warnings warnings_of_means(const VortexCase& scene) {
+  Warnings list;
   doubt_spreading(list, scene);
   doubt_other_diffusion(list, scene);
   doubt_sums(list, scene.velocity);

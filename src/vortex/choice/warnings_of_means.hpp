@@ -4,13 +4,14 @@
 #include <string_view>
 #include <vector>
 
+#include "flow/warnings.hpp"
 #include "vortex/settings.hpp"
 
 namespace vortree::vortex {
 
 /// Doubts (warnings.hpp) about the means of a scene, whatever flow it has: splitting, merging,
 /// other diffusion, sums of velocities; and about what it asks to be written.
-std::vector<std::string> warnings_of_means(const VortexCase& scene);
+flow::Warnings warnings_of_means(const VortexCase& scene);
 
 /// What so few terms of a series err by, whatever tolerance is asked for; nothing for enough of
 /// them, and for 0, which chooses them.

@@ -15,7 +15,7 @@ struct Beside {
   Covariance core{};
 
   Beside(Vec2 at, const Core& own, const body::Shape* shape) {
-    if (!shape || shape->beyond(at, folded::reach * widest(own))) return;
+    if (!shape || shape->beyond(at, folded::support * widest(own))) return;
     wall = shape->nearest(at);
     core = own.covariance(wall.normal);
     reached = folded::applies(wall.distance, sigma());
@@ -31,7 +31,7 @@ struct Beside {
 
 }  // namespace
 
-Placed acting_blob(Vec2 centre, const Core& core, const body::Shape* shape) {
+Placed fold(Vec2 centre, const Core& core, const body::Shape* shape) {
   const Beside blob(centre, core, shape);
   if (!blob.reached) return {centre, core};
   const body::WallPoint& w = blob.wall;
@@ -41,13 +41,13 @@ Placed acting_blob(Vec2 centre, const Core& core, const body::Shape* shape) {
           core_of({across, blob.core.nt, blob.core.tt}, w.normal)};
 }
 
-Acting acting(const Blobs& blobs, const body::Shape* wall) {
-  Acting result{blobs.x, blobs.y, blobs.sigma};
+FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall) {
+  FoldedBlobs result{blobs.x, blobs.y, blobs.sigma};
   if (!wall) return result;
   const std::ptrdiff_t n = std::ssize(blobs.x);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Placed blob = acting_blob(blobs.centre(i), blobs.core(i), wall);
+    const Placed blob = fold(blobs.centre(i), blobs.core(i), wall);
     result.x[i] = blob.centre.x;
     result.y[i] = blob.centre.y;
     result.sigma[i] = std::sqrt(blob.core.square);
@@ -62,17 +62,17 @@ Placed place(Vec2 mean, const Core& core, const body::Shape* shape) {
   return blob.put(mean, folded::place(w.distance, blob.sigma(), w.curvature));
 }
 
-Placed place_acting(const Placed& acting, const body::Shape* shape) {
-  const Beside blob(acting.centre, acting.core, shape);
-  if (!blob.reached) return acting;
+Placed unfold(const Placed& folded, const body::Shape* shape) {
+  const Beside blob(folded.centre, folded.core, shape);
+  if (!blob.reached) return folded;
   const body::WallPoint& w = blob.wall;
-  return blob.put(acting.centre,
+  return blob.put(folded.centre,
                   folded::place_with_variance(w.distance, blob.core.nn, w.curvature));
 }
 
 Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double dt,
                 const body::Shape* shape) {
-  const Placed before = acting_blob(blob.centre, blob.core, shape);
+  const Placed before = fold(blob.centre, blob.core, shape);
   Placed after{before.centre + way, carried(before.core, gradient, dt)};
   if (const Beside beside(blob.centre, blob.core, shape); beside.reached) {
     const Vec2 n = beside.wall.normal;
@@ -82,7 +82,7 @@ Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double d
     v.nt = std::clamp(v.nt, -most, most);
     after.core = core_of(v, n);
   }
-  return place_acting(after, shape);
+  return unfold(after, shape);
 }
 
 }  // namespace vortree::vortex

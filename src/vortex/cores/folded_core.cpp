@@ -7,14 +7,14 @@
 namespace vortree::vortex::folded {
 namespace {
 
-constexpr int per_core = 64, nodes = per_core * static_cast<int>(reach) + 1, terms = 10;
+constexpr int per_core = 64, nodes = per_core * static_cast<int>(support) + 1, terms = 10;
 constexpr double past_nodes = (nodes - 0.5) / per_core;
-using Series = std::array<double, terms>;
+using Taylor = std::array<double, terms>;
 
 /// The mean's Taylor series about each node q: its second derivative is 2/sqrt(pi) exp(-q^2), whose
 /// derivatives are that times a_n, a_(n+1) = -2 q a_n - 2 n a_(n-1).
-std::array<Series, nodes> series_about_nodes() {
-  std::array<Series, nodes> all;
+std::array<Taylor, nodes> series_about_nodes() {
+  std::array<Taylor, nodes> all;
   for (int k = 0; k < nodes; ++k) {
     const double q = static_cast<double>(k) / per_core, bell = std::exp(-q * q);
     all[k][0] = inverse_sqrt_pi * bell + q * std::erf(q);
@@ -29,7 +29,7 @@ std::array<Series, nodes> series_about_nodes() {
   return all;
 }
 
-const std::array<Series, nodes> about = series_about_nodes();
+const std::array<Taylor, nodes> about = series_about_nodes();
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Profile profile(double q) {
   if (!(size < past_nodes)) return {size, std::copysign(1.0, q), 0};
   const int k = static_cast<int>(size * per_core + 0.5);
   const double d = size - static_cast<double>(k) / per_core;
-  const Series& c = about[k];
+  const Taylor& c = about[k];
   Profile at{c[terms - 1], 0, 0};
   double half_slope = 0;
   for (int n = terms - 2; n >= 0; --n) {
@@ -103,7 +103,7 @@ double depth(double second, double m, double on_wall, double kappa) {
   const double start = 0.75 * (std::sqrt(square * square + 8.0 / 3 * fallen) - square);
   double q = std::max(std::sqrt(start), 1e-5);
   if (q > 0.6) q = std::sqrt(0.5 / (second - 1));
-  for (int k = 0; k < 20 && q < reach; ++k) {
+  for (int k = 0; k < 20 && q < support; ++k) {
     b = bend(m / Bent(q, b).mean, kappa);
     const auto [mean, rise] = Bent(q, b);
     const double ratio = (0.5 + q * q) / (mean * mean);
@@ -123,7 +123,7 @@ Gaussian place_with_variance(double m, double v_n, double kappa) {
   const double on_wall = place(m, 2 * m / inverse_sqrt_pi, convex).s;
   if (square >= on_wall * on_wall / 2 - 1e-9 * m * m) return place(m, on_wall, kappa);
   const double q = depth(square / (m * m), m, on_wall, convex);
-  const double s = q < reach ? std::sqrt(square / (0.5 + q * q)) : std::sqrt(2 * v_n);
+  const double s = q < support ? std::sqrt(square / (0.5 + q * q)) : std::sqrt(2 * v_n);
   return place(m, s, kappa);
 }
 

@@ -20,21 +20,21 @@ namespace vortree::vortex {
 /// where kappa is the curvature of the wall (first order; convex > 0) [1/m]: a walk reflected at a
 /// bent wall that first meets it at T is pushed less by kappa nu E[(t + T)/2; T < t]. An edge
 /// sharper than a core counts as 4/(sqrt(pi) s), which halves the mean distance of a core on the
-/// wall, and no more. A blob acts, and is moved, at its mean; further than `reach` cores from the
+/// wall, and no more. A blob acts, and is moved, at its mean; further than `support` cores from the
 /// wall it is a free blob.
 namespace folded {
 
-constexpr double reach = 4;  // cores; erfc(4) = 1.5e-8
+constexpr double support = 4;  // cores; erfc(4) = 1.5e-8
 constexpr double inverse_sqrt_pi = 0.56418958354775628695;
 constexpr double thinnest = 0.2;  // of s/sqrt(pi): how far a core may be squeezed in one move
 
 inline bool applies(double y, double s) {
-  return y < reach * s;
+  return y < support * s;
 }
 
 /// A core of width 1 at a distance q from a flat wall: exp(-q^2)/sqrt(pi) + q erf(q), and its first
 /// two derivatives, erf(q) and 2/sqrt(pi) exp(-q^2).
-/// error  5e-16 to |q| = reach: Taylor series about the nearest 64th, from a table; 2e-8 for any
+/// error  5e-16 to |q| = support: Taylor series about the nearest 64th, from a table; 2e-8 for any
 ///        other q, of which they are |q|, its sign and 0; no number of what is none
 struct Profile {
   double mean, erf, slope;

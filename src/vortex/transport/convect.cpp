@@ -15,9 +15,9 @@ Blobs moved_each(const Blobs& start, auto move) {
   return blobs;
 }
 
-/// Carried from their acting positions by dt u; their cores as they are.
-Blobs carried(const Blobs& start, const Acting& from, const Velocities& u, const body::Shape* wall,
-              double dt) {
+/// Carried from their folded centroids by dt u; their cores as they are.
+Blobs carried(const Blobs& start, const FoldedBlobs& from, const Velocities& u,
+              const body::Shape* wall, double dt) {
   return moved_each(start, [&](std::ptrdiff_t i) {
     return place({from.x[i] + dt * u.u[i], from.y[i] + dt * u.v[i]}, start.core(i), wall);
   });
@@ -41,15 +41,15 @@ void add(Velocities& sum, double weight, const Velocities& u) {
 
 }  // namespace
 
-void convect(Blobs& blobs, const Carrying& velocity, const body::Shape* wall, flow::Scheme scheme,
-             double dt, bool strains) {
-  const Acting from = acting(blobs, wall);
+void convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
+             flow::Scheme scheme, double dt, bool strains) {
+  const FoldedBlobs from = fold(blobs, wall);
   Gradients gradients;
   const auto moved = [&](const Velocities& u, double h) {
     return carried(blobs, from, u, wall, h);
   };
   const auto at = [&](const Blobs& stage, double h, Gradients* g = nullptr) {
-    return velocity(stage, acting(stage, wall), h, g);
+    return velocity(stage, fold(stage, wall), h, g);
   };
   const auto finish = [&](const Velocities& u) {
     blobs = strains ? strained(blobs, u, gradients, wall, dt) : moved(u, dt);

@@ -8,14 +8,14 @@
 
 namespace vortree::vortex {
 
-/// The velocity with which blobs are carried, at their acting positions, so long after the
+/// The velocity that advects blobs, at their folded centroids, so long after the
 /// beginning of the step; and its gradient there, if wanted.
-using Carrying = std::function<Velocities(const Blobs& blobs, const Acting& acting, double after,
-                                          Gradients* gradients)>;
+using AdvectingVelocity = std::function<Velocities(const Blobs& blobs, const FoldedBlobs& folded,
+                                                   double after, Gradients* gradients)>;
 
 /// Moves blobs for a time dt.
 ///
-///   d X_i/dt = u(X_i),   X_i the acting position of blob i
+///   d X_i/dt = u(X_i),   X_i the folded centroid of blob i
 ///   d V_i/dt = G V_i + V_i G^T,   V_i its covariance, G = grad u at X_i, if it `strains`
 ///
 /// Next to a wall the mean and the covariance of the folded core are moved, and the core put back
@@ -23,7 +23,7 @@ using Carrying = std::function<Velocities(const Blobs& blobs, const Acting& acti
 /// in sigma^2.
 /// error   O(dt^2) for rk2, O(dt^4) for rk4, per unit of time; O(dt^2) of the covariance
 /// cost    two, or four, evaluations of the velocity, one with the gradient
-void convect(Blobs& blobs, const Carrying& velocity, const body::Shape* wall, flow::Scheme scheme,
-             double dt, bool strains = false);
+void convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
+             flow::Scheme scheme, double dt, bool strains = false);
 
 }  // namespace vortree::vortex

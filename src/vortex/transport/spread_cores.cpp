@@ -25,7 +25,7 @@ void spread_cores(Blobs& blobs, double nu, double dt, const body::Shape* wall) {
     const double half_way = core.square + 2 * nu * dt;
     core.square += 4 * nu * dt;
     if (core.deviator != Deviator{} && wall &&
-        !wall->beyond(blobs.centre(i), folded::reach * blobs.sigma[i])) {
+        !wall->beyond(blobs.centre(i), folded::support * blobs.sigma[i])) {
       const body::WallPoint w = wall->nearest(blobs.centre(i));
       Covariance v = core.covariance(w.normal);
       if (const double across = half_way + 2 * core.deviator.across(w.normal);

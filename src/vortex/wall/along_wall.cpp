@@ -9,7 +9,7 @@ namespace vortree::vortex {
 namespace {
 
 constexpr double panels_smoothed = 3, of_radius = 0.25, steepest = 0.25;
-constexpr double reach = 4;  // widths: exp(-16) = 1.1e-7
+constexpr double support = 4;  // widths: exp(-16) = 1.1e-7
 
 /// A quarter of the radius of curvature at each panel, `panels_smoothed` at most and one at least.
 std::vector<double> allowed_by_bends(const Wall& wall) {
@@ -51,7 +51,7 @@ void AlongWall::add(const Trace& trace, std::span<double> values) const {
   const double share = (w / width) * (w / width),
                peak = trace.amount * folded::inverse_sqrt_pi / width;
   const auto within = static_cast<std::ptrdiff_t>(
-                          std::min(static_cast<double>(n), reach * width / panel_length_)) +
+                          std::min(static_cast<double>(n), support * width / panel_length_)) +
                       1;
   const std::ptrdiff_t first = here - std::min(within, (n - 1) / 2);
   const std::ptrdiff_t last = here + std::min(within, (n - 1) / 2);

@@ -31,7 +31,7 @@ void for_each_at_wall(const Blobs& blobs, const Wall& wall, std::size_t first, s
                       auto use) {
   for (std::size_t j = first; j < last; ++j) {
     const Core core = blobs.core(j);
-    if (wall.shape().beyond(blobs.centre(j), folded::reach * widest(core))) continue;
+    if (wall.shape().beyond(blobs.centre(j), folded::support * widest(core))) continue;
     const body::WallPoint w = wall.shape().nearest(blobs.centre(j));
     const Covariance v = core.covariance(w.normal);
     const double across = std::sqrt(2 * v.nn), along = std::sqrt(2 * v.tt);

@@ -9,7 +9,7 @@ void vorticity(const Blobs& blobs, const body::Shape* wall, tree::Points at,
                std::span<double> omega) {
   Blobs all = blobs;
   for (std::size_t i = 0; wall && i < blobs.size(); ++i) {
-    if (wall->beyond(blobs.centre(i), folded::reach * blobs.sigma[i])) continue;
+    if (wall->beyond(blobs.centre(i), folded::support * blobs.sigma[i])) continue;
     const body::WallPoint w = wall->nearest(blobs.centre(i));
     if (folded::applies(w.distance, blobs.sigma[i]))
       all.append(blobs.centre(i) - (2 * w.distance) * w.normal, blobs.gamma[i], blobs.sigma[i]);

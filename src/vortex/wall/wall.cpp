@@ -57,11 +57,12 @@ Wall::Wall(std::shared_ptr<const body::Shape> shape, int panels) : shape_(std::m
   system_.emplace(sheet_equations(*shape_, middle_, length_), middle_.size() + 1);
 }
 
-std::vector<double> Wall::missed_by_samples(const Acting& acting, std::span<const double> gamma,
-                                            std::size_t first, std::size_t last) const {
+std::vector<double> Wall::missed_by_samples(const FoldedBlobs& folded,
+                                            std::span<const double> gamma, std::size_t first,
+                                            std::size_t last) const {
   std::vector<double> missed = near_->wrapped_zeros();
   for (std::size_t j = first; j < last; ++j) {
-    const Vec2 at = acting.at(j);
+    const Vec2 at = folded.at(j);
     if (shape_->beyond(at, near_panels * length_)) continue;
     const body::WallPoint w = shape_->nearest(at);
     if (w.distance > near_panels * length_) continue;
@@ -70,7 +71,7 @@ std::vector<double> Wall::missed_by_samples(const Acting& acting, std::span<cons
   return near_->unwrapped(missed);
 }
 
-std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const Acting& acting,
+std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const FoldedBlobs& folded,
                                std::span<const double> gamma) const {
   const auto n = static_cast<std::ptrdiff_t>(panels());
   std::vector<double> slip(panels());
@@ -80,7 +81,7 @@ std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const 
     slip[i] = dot(stream + far, tangent_[i]);
   }
   const auto missed = ordered_sum(gamma.size(), [&](std::size_t first, std::size_t last) {
-    return missed_by_samples(acting, gamma, first, last);
+    return missed_by_samples(folded, gamma, first, last);
   });
   for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += missed[i];
   return slip;

@@ -44,7 +44,7 @@ class Wall {
 
   /// Average slip along each panel: stream, the bare velocity at samples(), and what the samples
   /// miss of the vortices closer than a few panels.
-  std::vector<double> slip(Vec2 stream, const Velocities& at_samples, const Acting& acting,
+  std::vector<double> slip(Vec2 stream, const Velocities& at_samples, const FoldedBlobs& folded,
                            std::span<const double> gamma) const;
 
   /// The sheet that cancels a slip, with circulation `total`.
@@ -67,7 +67,7 @@ class Wall {
                               tree::Points targets, Velocities& u) const;
 
   /// What the two samples a panel miss of the vortices [first, last) that are close to it.
-  std::vector<double> missed_by_samples(const Acting& acting, std::span<const double> gamma,
+  std::vector<double> missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
                                         std::size_t first, std::size_t last) const;
 
   std::shared_ptr<const body::Shape> shape_;

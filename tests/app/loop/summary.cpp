@@ -15,7 +15,7 @@ namespace {
 struct Still final : flow::Solver {
   std::string particle() const override { return "spot"; }
   std::vector<std::string> phases() const override { return {"rest"}; }
-  void step(const flow::Phase&) override {}
+  void step(const tree::Phase&) override {}
   long steps() const override { return 3; }
   double time() const override { return 0.3; }
   std::size_t particles() const override { return 2; }

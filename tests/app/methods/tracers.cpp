@@ -36,7 +36,7 @@ class Tracers final : public flow::Solver {
   std::string particle() const override { return "tracer"; }
   std::vector<std::string> phases() const override { return {"carry"}; }
 
-  void step(const flow::Phase& phase) override {
+  void step(const tree::Phase& phase) override {
     phase("carry");
     for (std::size_t i = 0; i < x_.size(); ++i) {
       const double middle = x_[i] + 0.5 * dt_ * stream_[0];

@@ -38,7 +38,7 @@ void check_twin(const bench::PointSet& set) {
 
 TEST_CASE("the reference is the plain sum in long double, to its last digits") {
   for (const std::size_t n : {1, 7, 1003}) {
-    for (const bench::Kind kind : bench::every_kind) {
+    for (const bench::PointKind kind : bench::every_kind) {
       bench::PointSet set = bench::make_points(kind, n);
       check_twin(set);
       for (std::size_t i = 0; i < n; ++i) set.sigma.push_back(i % 3 == 0 ? 0.0 : 0.01 * (i % 7));
@@ -53,7 +53,7 @@ TEST_CASE("the error of velocities that are off by a known amount is that amount
   // Two vortices of gamma 2 pi at distance 2: each moves the other with 1/2.
   const double gamma = 2 * 3.14159265358979323846;
   const std::vector<double> x{-1, 1}, y{0, 0}, strength{gamma, gamma}, u{0, 0};
-  const fmm::Blobs blobs{x, y, strength, {}};
+  const fmm::Sources blobs{x, y, strength, {}};
   const fmm::Targets targets{x, y, {}};
 
   const std::vector<double> off{-0.5, 0.5 + 0.125};

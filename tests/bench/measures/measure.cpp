@@ -15,8 +15,8 @@ using bench::Measurement;
 
 namespace {
 
-const bench::Method& method(std::string_view name) {
-  return *std::ranges::find(bench::methods(), name, &bench::Method::name);
+const bench::VelocityMethod& method(std::string_view name) {
+  return *std::ranges::find(bench::methods(), name, &bench::VelocityMethod::name);
 }
 
 constexpr bench::Patience little{.seconds = 0.0, .most_repeats = 3, .most_pairs = 1e8};
@@ -36,7 +36,7 @@ double of_phases(const Measurement& made) {
 
 TEST_CASE("every method is measured with its error, its phases and three repeats at least") {
   const bench::PointSet set = bench::make_blobs(2000);
-  for (const bench::Method& each : bench::methods()) {
+  for (const bench::VelocityMethod& each : bench::methods()) {
     CAPTURE(each.name);
     const Measurement made = measured(each.name, set, 100);
     CHECK(made.repeats == 3);
@@ -50,7 +50,7 @@ TEST_CASE("every method is measured with its error, its phases and three repeats
 }
 
 TEST_CASE("a direct sum that would take long is measured at some targets and scaled up") {
-  const bench::PointSet set = bench::make_points(bench::Kind::uniform, 20000);
+  const bench::PointSet set = bench::make_points(bench::PointKind::uniform, 20000);
   const Measurement made = measured("direct", set, 20);
   CHECK(made.targets < 20000);
   CHECK(made.error.targets == 20);
@@ -93,9 +93,9 @@ TEST_CASE("a machine multiplies and adds faster than it divides, and moves some 
 }
 
 TEST_CASE("a row has a cell for every column; floors come from pairs and anchors") {
-  const bench::PointSet set = bench::make_points(bench::Kind::uniform, 1000);
+  const bench::PointSet set = bench::make_points(bench::PointKind::uniform, 1000);
   const Measurement made = measured("direct", set, 10);
-  const bench::Row row{"uniform", "direct", 1000, {}, 1};
+  const bench::VelocityRow row{"uniform", "direct", 1000, {}, 1};
   const bench::Floors least = bench::floors(
       row, made, {.fma = 1e11, .divisions = 5e9, .single_divisions = 1e10, .triad = 1e10});
   CHECK(*least.near == Approx(0.5 * 999000 / 5e9));

@@ -142,7 +142,7 @@ TEST_CASE("at full size all fast methods list the same pairs") {
 }
 
 TEST_CASE("the exponent of a power of n is found, from ten thousand on") {
-  std::vector<bench::Cost> costs{{1000, 7}, {3000, 1}};
+  std::vector<bench::NeighborCost> costs{{1000, 7}, {3000, 1}};
   for (const double n : {1e4, 1e5, 1e6}) costs.push_back({n, 3e-7 * std::pow(n, 1.04)});
   const auto slope = bench::fit_slope(costs);
   REQUIRE(slope);

@@ -49,7 +49,7 @@ double relative_l2(const Velocity& found, const Velocity& expected) {
 }
 
 PointSet random_blobs(std::size_t n, double sigma) {
-  PointSet set = bench::make_points(bench::Kind::uniform, n);
+  PointSet set = bench::make_points(bench::PointKind::uniform, n);
   set.sigma.assign(n, sigma);
   return set;
 }
@@ -93,7 +93,7 @@ TEST_CASE("the grid is free space: a flat, a distant and a lonely flow are as ex
 
 TEST_CASE("targets may lie outside the vorticity") {
   const PointSet set = random_blobs(300, 0.1);
-  PointSet at = bench::make_points(bench::Kind::ringwake, 200);
+  PointSet at = bench::make_points(bench::PointKind::ringwake, 200);
   const fmm::Targets targets{at.x, at.y, {}};
   CHECK(relative_l2(on_grid(set, targets, 1e-9), directly(set, targets)) <= 1e-9);
 }
@@ -110,7 +110,7 @@ TEST_CASE("the grid gives the same bits for any number of threads") {
 }
 
 TEST_CASE("the grid refuses what it is not good for, with numbers") {
-  PointSet bare = bench::make_points(bench::Kind::uniform, 100), mixed = bare, tiny = bare;
+  PointSet bare = bench::make_points(bench::PointKind::uniform, 100), mixed = bare, tiny = bare;
   CHECK(refusal(bare).find("bare") != std::string::npos);
   mixed.sigma.assign(100, 0.1);
   mixed.sigma[7] = 0.2;

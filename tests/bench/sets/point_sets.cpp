@@ -23,7 +23,7 @@ std::uint64_t fingerprint(const std::vector<double>& values) {
 }  // namespace
 
 TEST_CASE("the uniform set is the same bit for bit on every machine") {
-  const PointSet set = make_points(Kind::uniform, 1000);
+  const PointSet set = make_points(PointKind::uniform, 1000);
   CHECK(fingerprint(set.x) == 0xe64d352e2860c598u);
   CHECK(fingerprint(set.y) == 0xd5ff86fb94e105b5u);
   CHECK(fingerprint(set.gamma) == 0xb8a177a944377ebdu);
@@ -31,7 +31,7 @@ TEST_CASE("the uniform set is the same bit for bit on every machine") {
 
 TEST_CASE("every set has as many points as asked for, all of them finite and apart") {
   for (const std::size_t n : {0, 1, 7, 1000}) {
-    for (const Kind kind : every_kind) {
+    for (const PointKind kind : every_kind) {
       const PointSet set = make_points(kind, n);
       REQUIRE(set.size() == n);
       CHECK(set.gamma.size() == n);

@@ -43,7 +43,7 @@ struct Cloud {
 
 void check_sweep(const Cloud& cloud, fmm::Cores cores, std::initializer_list<double> tolerances) {
   const auto exact = test::exact_fields(cloud.set.blobs(), cloud.targets(), cores);
-  for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+  for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
     for (const double tolerance : tolerances) {
       CAPTURE(static_cast<int>(method), tolerance);
       const fmm::Plan plan(cloud.set.blobs(),
@@ -95,7 +95,7 @@ TEST_CASE("near pairs agree with their plain twin to round-off, from r = 1e-7 co
     source.close();
     std::vector<double> x(8, r * std::cos(angle)), y(8, r * std::sin(angle)), cores(8), sum[4];
     for (auto& values : sum) values.assign(8, 0.0);
-    fmm::Gradient{}.add_cored(
+    fmm::FieldGradient{}.add_cored(
         source, shares,
         {x.data(), y.data(), cores.data(), {&sum[0][0], &sum[1][0], &sum[2][0]}, 1});
     fmm::StreamFunction{0.0, {}}.add_cored(source, shares,
@@ -118,7 +118,7 @@ TEST_CASE("the direct sum of the gradient is right to round-off") {
   for (const Widths width : {Widths::bare, Widths::even, Widths::mixed}) {
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
       CAPTURE(static_cast<int>(width), static_cast<int>(cores));
-      const Cloud cloud(test::make_points(test::Kind::uniform, 1500), width, 150);
+      const Cloud cloud(test::make_points(test::PointKind::uniform, 1500), width, 150);
       const auto exact = test::exact_fields(cloud.set.blobs(), cloud.targets(), cores);
       test::Fields found(cloud.x.size());
       fmm::gradient_direct(cloud.set.blobs(), cloud.targets(), cores, found.ux, found.uy, found.vx);
@@ -128,7 +128,7 @@ TEST_CASE("the direct sum of the gradient is right to round-off") {
 }
 
 TEST_CASE("gradient and stream function keep the tolerance, bare vortices") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     CAPTURE(test::kind_names[static_cast<int>(kind)]);
     check_sweep({test::make_points(kind, 8000), Widths::bare, 300}, fmm::Cores::source,
                 {1e-3, 1e-5, 1e-6, 1e-9, 1e-12});
@@ -136,7 +136,7 @@ TEST_CASE("gradient and stream function keep the tolerance, bare vortices") {
 }
 
 TEST_CASE("gradient and stream function keep the tolerance, cores of the spacing") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
       CAPTURE(test::kind_names[static_cast<int>(kind)], static_cast<int>(cores));
       check_sweep({test::make_points(kind, 8000), Widths::even, 300}, cores,
@@ -146,7 +146,7 @@ TEST_CASE("gradient and stream function keep the tolerance, cores of the spacing
 }
 
 TEST_CASE("gradient and stream function keep the tolerance, cores from 1e-6 to 1") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
       CAPTURE(test::kind_names[static_cast<int>(kind)], static_cast<int>(cores));
       check_sweep({test::make_points(kind, 3000), Widths::mixed, 200}, cores, {1e-3, 1e-6, 1e-12});
@@ -164,7 +164,7 @@ TEST_CASE("gradient and stream function keep the tolerance in a smooth flow") {
 
 TEST_CASE("differences of the velocity are the gradient, of the stream function the velocity") {
   for (const Widths width : {Widths::bare, Widths::even}) {
-    const Cloud cloud(test::make_points(test::Kind::ringwake, 2000), width, 100);
+    const Cloud cloud(test::make_points(test::PointKind::ringwake, 2000), width, 100);
     const fmm::Plan plan(cloud.set.blobs(), {.tolerance = 1e-13});
     const double step = width == Widths::bare ? 1e-6 : 1e-5;
     std::vector<double> x, y;
@@ -197,7 +197,7 @@ TEST_CASE("differences of the velocity are the gradient, of the stream function 
 }
 
 TEST_CASE("the rotation is the vorticity") {
-  const Cloud cloud(test::make_points(test::Kind::uniform, 3000), Widths::even, 300);
+  const Cloud cloud(test::make_points(test::PointKind::uniform, 3000), Widths::even, 300);
   const test::Fields fields(fmm::Plan(cloud.set.blobs(), {.tolerance = 1e-12}), cloud.targets());
   std::vector<double> omega(cloud.x.size());
   fmm::vorticity(cloud.set.blobs(), {cloud.x, cloud.y}, omega, 1e-13);
@@ -210,7 +210,7 @@ TEST_CASE("the rotation is the vorticity") {
 
 TEST_CASE("no blobs have no gradient and no stream function, no targets ask for nothing") {
   const std::vector<double> none, x{1, 2}, y{3, 4};
-  for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+  for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
     const test::Fields fields(fmm::Plan({none, none, none, none}, {.method = method}),
                               fmm::Targets{x, y, {}});
     for (const auto* values : {&fields.ux, &fields.uy, &fields.vx, &fields.psi}) {
@@ -224,7 +224,7 @@ TEST_CASE("no blobs have no gradient and no stream function, no targets ask for 
 
 TEST_CASE("one blob turns its middle as a solid, and its stream function ends there") {
   const std::vector<double> x{3}, y{-2}, gamma{5}, sigma{0.5};
-  for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+  for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
     const fmm::Plan plan({x, y, gamma, sigma}, {.method = method});
     const test::Fields middle(plan, fmm::Targets{x, y, {}});
     CHECK(middle.ux[0] == 0.0);
@@ -279,7 +279,7 @@ TEST_CASE("hard sets keep the tolerance: coincident, in line, far off, apart, de
       if (shape == 0 && !cored) continue;  // nothing, see below
       const fmm::Targets targets{set.x, set.y, {}};
       const auto exact = test::exact_fields(set.blobs(), targets, fmm::Cores::source);
-      for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+      for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
         for (const double tolerance : {1e-4, 1e-10}) {
           for (const std::uint32_t capacity : {0u, 1u}) {
             CAPTURE(static_cast<int>(method), tolerance, capacity);
@@ -319,7 +319,7 @@ TEST_CASE("strengths of 1e-300 and 1e250 and extreme places end without NaN") {
   for (const double at : {1e300, -1e154, 1e80, 1e-300, 1e-17}) x.push_back(at), y.push_back(at);
   const std::vector<double> wide(x.size(), 1e59);
   for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
-    for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+    for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
       const fmm::Plan plan(set.blobs(), {.cores = cores, .method = method});
       const test::Fields fields(plan, fmm::Targets{x, y, wide});
       for (const auto* values : {&fields.ux, &fields.uy, &fields.vx, &fields.psi}) {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "fmm/blobs.hpp"
 #include "fmm/cores/core_log_kernel.hpp"
+#include "fmm/sources.hpp"
 
 namespace vortree::test {
 
@@ -41,7 +41,7 @@ struct ExactFields {
   }
 };
 
-inline std::vector<ExactFields> exact_fields(const fmm::Blobs& blobs, const fmm::Targets& targets,
+inline std::vector<ExactFields> exact_fields(const fmm::Sources& blobs, const fmm::Targets& targets,
                                              fmm::Cores cores) {
   const auto square = [](std::span<const double> sigma, std::size_t i) -> long double {
     return sigma.empty() ? 0.0L : static_cast<long double>(sigma[i]) * sigma[i];

@@ -101,7 +101,7 @@ TEST_CASE("the tolerance is kept where sums cancel, down to what doubles can hol
       if (cores == fmm::Cores::mean && set.sigma[0] == 0.0) continue;
       const auto exact = test::whole_reference(set.blobs(), at.targets(), cores);
       const auto exact_away = test::whole_reference(set.blobs(), away.targets(), cores);
-      for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+      for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
         for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-9, 1e-13}) {
           CAPTURE(set.name, set.sigma[0], static_cast<int>(cores), static_cast<int>(method),
                   tolerance);
@@ -125,7 +125,7 @@ TEST_CASE("where sums cancel, threads, builders and the order of blobs leave the
     turned.add(set.x[i], set.y[i], set.gamma[i], set.sigma[i]);
   }
   std::vector<double> u(n), v(n), other_u(n), other_v(n);
-  for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+  for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
     fmm::Options options{.tolerance = 1e-4, .method = method};
     fmm::Plan(set.blobs(), options).velocity(u, v);
     fmm::Plan(turned.blobs(), options).velocity(other_u, other_v);
@@ -139,15 +139,15 @@ TEST_CASE("where sums cancel, threads, builders and the order of blobs leave the
 }
 
 TEST_CASE("ordinary clouds are summed once") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     CAPTURE(test::kind_names[static_cast<int>(kind)]);
     const test::PointSet set = test::make_points(kind, 4000);
     std::vector<double> u(set.size()), v(u), ux(u), uy(u), vx(u);
     for (const double core : {0.0, 2.0 / std::sqrt(4000.0)}) {
       const std::vector<double> sigma(core > 0 ? set.size() : 0, core);
-      const fmm::Blobs blobs{set.x, set.y, set.gamma, sigma};
+      const fmm::Sources blobs{set.x, set.y, set.gamma, sigma};
       for (const double tolerance : {1e-2, 1e-3, 1e-6, 1e-9, 1e-12}) {
-        for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+        for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
           CAPTURE(core, tolerance, static_cast<int>(method));
           int trees = 0;
           const fmm::Plan plan(blobs, {.tolerance = tolerance, .method = method},

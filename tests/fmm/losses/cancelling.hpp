@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fmm/blobs.hpp"
+#include "fmm/sources.hpp"
 #include "point_sets.hpp"
 
 namespace vortree::test {
@@ -20,7 +20,7 @@ struct Cancelling {
   void add(double px, double py, double strength, double core = 0.0) {
     x.push_back(px), y.push_back(py), gamma.push_back(strength), sigma.push_back(core);
   }
-  [[nodiscard]] fmm::Blobs blobs() const { return {x, y, gamma, sigma}; }
+  [[nodiscard]] fmm::Sources blobs() const { return {x, y, gamma, sigma}; }
 };
 
 /// Groups of n on a small ring, signs alternating: dipoles, quadrupoles, octupoles.

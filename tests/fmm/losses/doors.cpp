@@ -45,7 +45,7 @@ TEST_CASE("options out of range are refused with their value") {
 }
 
 TEST_CASE("targets and results that do not fit are refused") {
-  const fmm::Blobs blobs{three, three, three, {}};
+  const fmm::Sources blobs{three, three, three, {}};
   const fmm::Plan plan(blobs, {});
   std::vector<double> u(3), v(3), few(2);
   CHECK_THROWS_WITH(plan.velocity(few, v), Contains("u has 2 values and v 3; both must have 3"));
@@ -64,7 +64,7 @@ TEST_CASE("blobs whose distances doubles cannot resolve are refused by every met
   const std::vector<double> far{0.25, 0.5, 1e80}, near{0, 1e-70, 1}, zero{0, 0, 0};
   const std::vector<double> narrow{1, 1e-70, 1};
   std::vector<double> u(3), v(3), w(3);
-  for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+  for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
     CHECK_THROWS_WITH(make(far, zero, three, {}, {.method = method}),
                       Contains("blobs 0 and 1 are 0.25 apart"));
     CHECK_THROWS_WITH(make(near, zero, three, {}, {.method = method}),
@@ -95,7 +95,7 @@ TEST_CASE(
   for (const double gamma : {1e200, 1e-200}) {
     const std::vector<double> strengths{gamma, gamma};
     const std::vector<double> scaled{0, gamma > 1 ? 1e-150 : 1e150};
-    for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+    for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
       const fmm::Plan plan({scaled, y, strengths, {}}, {.method = method});
       CHECK_THROWS_WITH(plan.velocity(u, v), Contains("a double cannot hold"));
     }
@@ -104,7 +104,7 @@ TEST_CASE(
         Contains("a double cannot hold"));
   }
   // Beyond 1e70 extents there is one vortex of all circulation: |u| = 6/(2 pi 5e300).
-  for (const fmm::Method method : {fmm::Method::fmm, fmm::Method::boxes}) {
+  for (const fmm::SumMethod method : {fmm::SumMethod::fmm, fmm::SumMethod::boxes}) {
     fmm::Plan({three, three, three, {}}, {.method = method}).velocity({far_x, far_y, {}}, u, v);
     CHECK(u[0] == Approx(-6 / (2 * std::numbers::pi) * 0.8 / 5e300).epsilon(1e-14));
     CHECK(v[0] == Approx(6 / (2 * std::numbers::pi) * 0.6 / 5e300).epsilon(1e-14));

@@ -14,7 +14,7 @@ namespace {
 /// Error of the plan at its blobs against the direct sum, which twins.cpp holds to long double.
 test::Error error_at_blobs(const test::PointSet& set, const std::vector<double>& sigma,
                            const fmm::Options& options) {
-  const fmm::Blobs blobs{set.x, set.y, set.gamma, sigma};
+  const fmm::Sources blobs{set.x, set.y, set.gamma, sigma};
   const std::size_t n = set.size();
   std::vector<double> u(n), v(n), exact_u(n), exact_v(n);
   fmm::Plan(blobs, options).velocity(u, v);
@@ -31,7 +31,7 @@ test::Error error_at_blobs(const test::PointSet& set, const std::vector<double>&
 }  // namespace
 
 TEST_CASE("one giant core over everything is never met by a series") {
-  test::PointSet set = test::make_points(test::Kind::uniform, 3000);
+  test::PointSet set = test::make_points(test::PointKind::uniform, 3000);
   std::vector<double> sigma(set.size(), 1e-4);
   for (const double giant : {0.3, 1.0, 30.0}) {
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
@@ -45,7 +45,7 @@ TEST_CASE("one giant core over everything is never met by a series") {
 }
 
 TEST_CASE("wide cores on a deep tree are seen whole") {
-  const test::PointSet set = test::make_points(test::Kind::ringwake, 4000);
+  const test::PointSet set = test::make_points(test::PointKind::ringwake, 4000);
   for (const double wide : {0.01, 0.1, 1.0}) {
     const std::vector<double> sigma(set.size(), wide);
     for (const fmm::Cores cores : {fmm::Cores::source, fmm::Cores::mean}) {
@@ -57,8 +57,8 @@ TEST_CASE("wide cores on a deep tree are seen whole") {
 }
 
 TEST_CASE("a wide target core is guarded where cores are averaged") {
-  const test::PointSet set = test::make_points(test::Kind::uniform, 2000);
-  const fmm::Blobs blobs{set.x, set.y, set.gamma, {}};
+  const test::PointSet set = test::make_points(test::PointKind::uniform, 2000);
+  const fmm::Sources blobs{set.x, set.y, set.gamma, {}};
   const fmm::Plan plan(blobs, {.tolerance = 1e-9, .cores = fmm::Cores::mean});
   const std::vector<double> x{0.1, 0.5, 2.0}, y{0.2, 0.5, 1.0}, sigma{0.5, 1e-3, 3.0};
   std::vector<double> u(3), v(3);
@@ -68,7 +68,7 @@ TEST_CASE("a wide target core is guarded where cores are averaged") {
 }
 
 TEST_CASE("velocity_bare sees the same sources without their cores") {
-  const test::PointSet set = test::make_points(test::Kind::ringwake, 5000);
+  const test::PointSet set = test::make_points(test::PointKind::ringwake, 5000);
   const std::vector<double> sigma(set.size(), 0.05), none(20, 0.0);
   const fmm::Plan plan({set.x, set.y, set.gamma, sigma}, {.tolerance = 1e-10});
   const std::vector<double> x = test::every(250, set.x), y = test::every(250, set.y);

@@ -12,16 +12,16 @@ using namespace vortree;
 namespace {
 
 /// Largest error over the local sum of |contributions|, for each fixed order from 1 on.
-std::vector<test::Error> errors_by_order(test::Kind kind, std::size_t n, int most) {
+std::vector<test::Error> errors_by_order(test::PointKind kind, std::size_t n, int most) {
   const test::PointSet set = test::make_points(kind, n);
-  const fmm::Blobs blobs{set.x, set.y, set.gamma, {}};
+  const fmm::Sources blobs{set.x, set.y, set.gamma, {}};
   const std::vector<double> x = test::every(n / 400, set.x), y = test::every(n / 400, set.y);
   const fmm::Targets targets{x, y, {}};
   const test::Exact exact = test::exact_velocity(blobs, targets, fmm::Cores::source);
   std::vector<test::Error> errors;
   std::vector<double> u(x.size()), v(x.size());
   for (int order = 1; order <= most; ++order) {
-    fmm::Plan(blobs, {.order = order, .capacity = 20, .method = fmm::Method::boxes})
+    fmm::Plan(blobs, {.order = order, .capacity = 20, .method = fmm::SumMethod::boxes})
         .velocity(targets, u, v);
     errors.push_back(test::error_of(u, v, exact));
   }
@@ -31,7 +31,7 @@ std::vector<test::Error> errors_by_order(test::Kind kind, std::size_t n, int mos
 }  // namespace
 
 TEST_CASE("box-to-point errors fall with the order as theory says, down to round-off") {
-  for (const test::Kind kind : test::every_kind) {
+  for (const test::PointKind kind : test::every_kind) {
     CAPTURE(test::kind_names[static_cast<int>(kind)]);
     const std::vector<test::Error> errors = errors_by_order(kind, 8000, 46);
     const double theta = fmm::one_cell_apart;

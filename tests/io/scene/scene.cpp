@@ -29,16 +29,16 @@ TEST_CASE("every key of a scene is read") {
   CHECK(scene.body == body::BodySettings{.radius = 1.0 / 3, .centre = {0.1, 0.2}, .panels = 64});
   CHECK(own(scene).splitting == vortex::SplittingSettings{.alpha = 0.8, .children = 5});
   CHECK(own(scene).merging == vortex::MergingSettings{.tolerance = 0, .reach = 1.5, .cap = 1.3});
-  CHECK(scene.initial == flow::InitialSettings{
-                             .circulation = -1.5, .core = 0.2, .spacing = 0.9, .centre = {3, 4}});
+  CHECK(scene.initial ==
+        flow::InitialSettings{.circulation = -1.5, .core = 0.2, .spacing = 0.9, .centre = {3, 4}});
   CHECK(scene.time == flow::TimeSettings{.dt = 1e-27, .end = 5e-20, .scheme = flow::Scheme::rk4});
-  CHECK(own(scene).velocity == vortex::VelocitySettings{.method = fmm::Method::direct,
-                                                   .tolerance = 1e-14,
-                                                   .order = 13,
-                                                   .capacity = 50,
-                                                   .finest_level = 0,
-                                                   .builder = fmm::Builder::forward,
-                                                   .cores = vortex::PairCores::source});
+  CHECK(own(scene).velocity == vortex::VelocitySettings{.method = fmm::SumMethod::direct,
+                                                        .tolerance = 1e-14,
+                                                        .order = 13,
+                                                        .capacity = 50,
+                                                        .finest_level = 0,
+                                                        .builder = fmm::Builder::forward,
+                                                        .cores = vortex::PairCores::source});
   CHECK(scene.output.fields == std::vector<double>{0, 0.5, 1e-3});
   CHECK(scene.output.window == std::array<double, 4>{-1, -2, 3, 4});
   CHECK(scene.output.field_spacing == 0.1);
@@ -71,15 +71,17 @@ TEST_CASE("a scene remembers to the letter where it came from") {
   CHECK(scene.origin.path == "cases/ring.toml");
   CHECK(scene.origin.text == plain);
   CHECK(scene.origin.overrides == overrides);
-  CHECK(parse_scene(scene.origin.text, scene.origin.path, scene.methods, scene.origin.overrides) == scene);
+  CHECK(parse_scene(scene.origin.text, scene.origin.path, scene.methods, scene.origin.overrides) ==
+        scene);
 }
 
 TEST_CASE("an override wins over the file, and the last one over those before") {
   CHECK(parse(plain, {"flow.nu=0.5"}).flow.nu == 0.5);
   CHECK(parse(plain, {"flow.nu=0.5", "flow.nu = 1"}).flow.nu == 1);
   CHECK(parse(plain, {"flow.stream=[1, 2]"}).flow.stream == Pair{1, 2});
-  CHECK(own(parse(plain, {"velocity.method=direct"})).velocity.method == fmm::Method::direct);
-  CHECK(own(parse(plain, {"velocity.method=\"direct\""})).velocity.method == fmm::Method::direct);
+  CHECK(own(parse(plain, {"velocity.method=direct"})).velocity.method == fmm::SumMethod::direct);
+  CHECK(own(parse(plain, {"velocity.method=\"direct\""})).velocity.method ==
+        fmm::SumMethod::direct);
   CHECK(parse(plain, {"title=Two vortices"}).title == "Two vortices");
   CHECK(parse(plain, {"body.radius=0.25"}).body == body::BodySettings{.radius = 0.25});
   CHECK(parse(plain, {"output.fields=[]"}).output.fields.empty());

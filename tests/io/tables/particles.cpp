@@ -30,10 +30,11 @@ std::filesystem::path file_with(const Sandbox& box, std::string_view without, Sp
   return box / "p.h5";
 }
 
-constexpr Columns all{.gamma = Need::required, .sigma = Need::optional, .reach = Need::optional};
+constexpr ParticleColumns all{
+    .gamma = Need::required, .sigma = Need::optional, .reach = Need::optional};
 
 /// The refusal, without the path before it.
-std::string refused(const std::filesystem::path& path, Columns columns = all) {
+std::string refused(const std::filesystem::path& path, ParticleColumns columns = all) {
   const std::string sentence = refusal([&] { (void)read_particles(path, columns); });
   REQUIRE_THAT(sentence, StartsWith(path.string()));
   return sentence.substr(path.string().size());
@@ -52,10 +53,10 @@ TEST_CASE("particles come back as they were written") {
   const std::vector<std::int64_t> start{0, 1, 1, 4};
   const std::vector<std::int32_t> index{2, 0};
   write_columns(box / "p.h5",
-                std::array<Column, 5>{
+                std::array<ParticleColumn, 5>{
                     {{"x", x}, {"y", three}, {"gamma", gamma}, {"start", start}, {"index", index}}},
                 {{"method", std::string("boxes")}, {"tolerance", 1e-6}, {"n", std::int64_t{3}}});
-  const Particles p = read_particles(box / "p.h5", all);
+  const ParticleFile p = read_particles(box / "p.h5", all);
   CHECK(p.x == x);
   CHECK(p.y == three);
   CHECK(p.gamma == gamma);
@@ -99,7 +100,7 @@ TEST_CASE("integers that doubles round are refused with their column, those befo
 TEST_CASE("no particles are particles too") {
   const Sandbox box;
   const Doubles none;
-  write_columns(box / "p.h5", std::array<Column, 2>{{{"x", none}, {"y", none}}});
+  write_columns(box / "p.h5", std::array<ParticleColumn, 2>{{{"x", none}, {"y", none}}});
   CHECK(read_particles(box / "p.h5").x.empty());
 }
 
@@ -108,7 +109,7 @@ TEST_CASE("what nobody asked for cannot be wrong") {
   const auto path = file_with(box, "reach", [](hid_t file) {
     h5::write(file, "reach", Doubles{-1, 2});
   });
-  const Particles p = read_particles(path, {.sigma = Need::required});
+  const ParticleFile p = read_particles(path, {.sigma = Need::required});
   CHECK(p.gamma.empty());
   CHECK(p.reach.empty());
   CHECK(p.sigma == three);
@@ -172,7 +173,7 @@ TEST_CASE("a wrong value is refused with its column and index") {
 
 TEST_CASE("an output that cannot be written is refused before anything is lost") {
   const Sandbox box;
-  const std::array<Column, 1> x{{{"x", three}}};
+  const std::array<ParticleColumn, 1> x{{{"x", three}}};
   const auto refused_output = [&](const std::filesystem::path& path) {
     CHECK(refusal([&] { require_writable(path); }) == refusal([&] { write_columns(path, x); }));
     return refusal([&] { require_writable(path); });

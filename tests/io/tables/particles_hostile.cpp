@@ -105,7 +105,7 @@ void overwrite(const std::filesystem::path& path, const std::string& mark) {
 TEST_CASE("no number is read from outside of a particle file, and no pipe is waited for") {
   const Sandbox box;
   REQUIRE(mkfifo((box / "pipe").c_str(), 0600) == 0);
-  write_columns(box / "other.h5", std::array<Column, 1>{{{"x", three}}});
+  write_columns(box / "other.h5", std::array<ParticleColumn, 1>{{{"x", three}}});
   const std::string target = (box / GENERATE("pipe", "other.h5", "p.h5", "there is none")).string();
   CAPTURE(target);
   CHECK(refused_with(box, [&](hid_t file) { link_outside(file, "x", target, "x"); }) ==

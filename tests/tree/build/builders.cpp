@@ -19,7 +19,7 @@ using tree::Range;
 namespace {
 
 struct Leaf {
-  tree::Key key;
+  tree::MortonKey key;
   int level;
   Range points;
   bool operator==(const Leaf&) const = default;
@@ -36,7 +36,7 @@ void plain_leaves(const MortonOrder& order, const tree::SplitRule& must_split, L
     return;
   }
   std::uint32_t first = cell.points.first;
-  for (tree::Key q = 0; q < 4; ++q) {
+  for (tree::MortonKey q = 0; q < 4; ++q) {
     std::uint32_t last = first;
     while (last < cell.points.last &&
            tree::ancestor(order.keys[last], cell.level + 1) == 4 * cell.key + q) {

@@ -10,11 +10,11 @@ TEST_CASE("searches without branches equal std::lower_bound") {
   test::Chance chance(51);
   for (int i = 0; i < 3000; ++i) {
     const int n = chance.whole(0, 300), span = chance.whole(1, 400);
-    std::vector<tree::Key> keys(n);
-    for (tree::Key& key : keys) key = chance.whole(0, span);
+    std::vector<tree::MortonKey> keys(n);
+    for (tree::MortonKey& key : keys) key = chance.whole(0, span);
     std::sort(keys.begin(), keys.end());
     const int first = chance.whole(0, n), last = chance.whole(first, n);
-    const tree::Key bound = chance.whole(0, span + 1);
+    const tree::MortonKey bound = chance.whole(0, span + 1);
     const auto plain = [&](int from, int to) {
       return std::lower_bound(keys.begin() + from, keys.begin() + to, bound) - keys.begin();
     };

@@ -55,8 +55,10 @@ TEST_CASE("rules are monotone: inside a block that need not split, none must") {
   for (int seed = 0; seed < 300; ++seed) {
     test::Chance chance(seed);
     const std::uint32_t n = chance.whole(1, 300);
-    const tree::MortonOrder order{
-        {0, 0, 1}, tree::max_level, Unwritten<tree::Key>(n, 0), Unwritten<std::uint32_t>(n, 0)};
+    const tree::MortonOrder order{{0, 0, 1},
+                                  tree::max_level,
+                                  Unwritten<tree::MortonKey>(n, 0),
+                                  Unwritten<std::uint32_t>(n, 0)};
     const test::NamedRule rule = test::any_rule(order, chance);
     for (int i = 0; i < 300; ++i) {
       const std::uint32_t first = chance.whole(0, n - 1), last = chance.whole(first + 1, n);

@@ -107,8 +107,8 @@ TEST_CASE("addresses of own cells by registers equal those one by one, and can b
       r = chance.whole(0, 9) == 0 ? 0 : std::ldexp(1 + chance.real(), chance.whole(-34, 3));
       if (chance.whole(0, 3) == 0) r = std::ldexp(1.0, chance.whole(-34, 3));
     }
-    std::vector<tree::Key> codes(n), plain;
-    for (tree::Key& code : codes) code = chance.bits() >> 2;
+    std::vector<tree::MortonKey> codes(n), plain;
+    for (tree::MortonKey& code : codes) code = chance.bits() >> 2;
     plain = codes;
     const auto [least, most] = std::minmax_element(reach.begin(), reach.end());
     const tree::kernel::Addresses addresses{tree::kernel::own_level(1, *most),

@@ -9,16 +9,17 @@ using namespace vortree;
 namespace {
 
 // The definition, bit by bit.
-tree::Key plain_encode(tree::GridCell cell) {
-  tree::Key key = 0;
+tree::MortonKey plain_encode(tree::GridCell cell) {
+  tree::MortonKey key = 0;
   for (int k = 0; k < 32; ++k) {
-    key += (static_cast<tree::Key>(cell.ix >> k & 1) + 2 * static_cast<tree::Key>(cell.iy >> k & 1))
+    key += (static_cast<tree::MortonKey>(cell.ix >> k & 1) +
+            2 * static_cast<tree::MortonKey>(cell.iy >> k & 1))
            << 2 * k;
   }
   return key;
 }
 
-tree::GridCell plain_decode(tree::Key key) {
+tree::GridCell plain_decode(tree::MortonKey key) {
   tree::GridCell cell;
   for (int k = 0; k < 32; ++k) {
     cell.ix += static_cast<std::uint32_t>(key >> 2 * k & 1) << k;
@@ -27,7 +28,7 @@ tree::GridCell plain_decode(tree::Key key) {
   return cell;
 }
 
-int plain_common_level(tree::Key a, tree::Key b) {
+int plain_common_level(tree::MortonKey a, tree::MortonKey b) {
   int level = tree::max_level;
   while (tree::ancestor(a, level) != tree::ancestor(b, level)) {
     --level;
@@ -45,7 +46,7 @@ TEST_CASE("interleaving by bit tricks equals interleaving bit by bit") {
                               static_cast<std::uint32_t>(chance.bits()) >> drop};
     REQUIRE(tree::encode(cell) == plain_encode(cell));
     REQUIRE(tree::decode(tree::encode(cell)) == cell);
-    const tree::Key key = chance.bits() >> 2;
+    const tree::MortonKey key = chance.bits() >> 2;
     REQUIRE(tree::decode(key) == plain_decode(key));
   }
   for (const std::uint32_t last : {0u, 1u, 0x7fffffffu}) {
@@ -56,7 +57,7 @@ TEST_CASE("interleaving by bit tricks equals interleaving bit by bit") {
 
 TEST_CASE(
     "the four children of a cell follow it: lower left, lower right, upper left, upper right") {
-  const tree::Key parent = tree::encode({5, 9});
+  const tree::MortonKey parent = tree::encode({5, 9});
   CHECK(tree::decode(4 * parent) == tree::GridCell{10, 18});
   CHECK(tree::decode(4 * parent + 1) == tree::GridCell{11, 18});
   CHECK(tree::decode(4 * parent + 2) == tree::GridCell{10, 19});
@@ -66,8 +67,8 @@ TEST_CASE(
 TEST_CASE("two codes part at the level that their ancestors say") {
   test::Chance chance(2);
   for (int i = 0; i < 20000; ++i) {
-    const tree::Key a = chance.bits() >> 2;
-    const tree::Key b = a ^ (chance.bits() >> 2) >> chance.whole(0, 61);
+    const tree::MortonKey a = chance.bits() >> 2;
+    const tree::MortonKey b = a ^ (chance.bits() >> 2) >> chance.whole(0, 61);
     REQUIRE(tree::common_level(a, b) == plain_common_level(a, b));
   }
   CHECK(tree::common_level(7, 7) == tree::max_level);
@@ -78,9 +79,9 @@ TEST_CASE("two codes part at the level that their ancestors say") {
 TEST_CASE("a cell holds the codes from its first descendant to the next cell's") {
   test::Chance chance(3);
   for (int level = 0; level <= tree::max_level; ++level) {
-    const tree::Key cell = level == 0 ? 0 : chance.bits() >> (64 - 2 * level);
-    const tree::Key first = tree::first_descendant(cell, level);
-    const tree::Key beyond = tree::first_descendant(cell + 1, level);
+    const tree::MortonKey cell = level == 0 ? 0 : chance.bits() >> (64 - 2 * level);
+    const tree::MortonKey first = tree::first_descendant(cell, level);
+    const tree::MortonKey beyond = tree::first_descendant(cell + 1, level);
     CHECK(tree::ancestor(first, level) == cell);
     CHECK(tree::ancestor(beyond - 1, level) == cell);
     CHECK(tree::ancestor(beyond, level) == cell + 1);

@@ -18,11 +18,11 @@ using Catch::Matchers::Contains;
 namespace {
 
 struct Pairs {
-  std::vector<tree::Key> keys;
+  std::vector<tree::MortonKey> keys;
   std::vector<std::uint32_t> index;
 };
 
-Pairs random_pairs(int n, tree::Key mask, test::Chance& chance) {
+Pairs random_pairs(int n, tree::MortonKey mask, test::Chance& chance) {
   Pairs pairs;
   for (int i = 0; i < n; ++i) {
     pairs.keys.push_back(chance.bits() & mask);
@@ -50,10 +50,11 @@ std::uint32_t plain_cell(double v, double origin, double side, int finest) {
 
 TEST_CASE("radix sort equals std::stable_sort") {
   test::Chance chance(11);
-  const tree::Key all = ~tree::Key{0};
-  for (const tree::Key mask : {all, all >> 2, tree::Key{0}, tree::Key{1}, tree::Key{0xff00},
-                               tree::Key{0xf00000000000000f}, tree::Key{7} << 61, tree::Key{0x3ff},
-                               tree::Key{0x3000000000003fff}, tree::Key{0xffff00000000}}) {
+  const tree::MortonKey all = ~tree::MortonKey{0};
+  for (const tree::MortonKey mask :
+       {all, all >> 2, tree::MortonKey{0}, tree::MortonKey{1}, tree::MortonKey{0xff00},
+        tree::MortonKey{0xf00000000000000f}, tree::MortonKey{7} << 61, tree::MortonKey{0x3ff},
+        tree::MortonKey{0x3000000000003fff}, tree::MortonKey{0xffff00000000}}) {
     for (const int n : {0, 1, 2, 3, 10, 63, 64, 65, 255, 1000, 5000}) {
       Pairs pairs = random_pairs(n, mask, chance);
       const Pairs expected = plainly_sorted(pairs);
@@ -69,7 +70,7 @@ TEST_CASE("many keys, spread or in crowds, are sorted by any number of threads")
   test::Chance chance(14);
   const int threads = omp_get_max_threads();
   for (const int n : {30000, 149000, 200000}) {
-    Pairs pairs = random_pairs(n, ~tree::Key{0} >> 2, chance);
+    Pairs pairs = random_pairs(n, ~tree::MortonKey{0} >> 2, chance);
     for (std::size_t i = 0; i < pairs.keys.size(); ++i) {
       // a third spread, a third closing in on one key, a third in few bits far down
       if (i % 3 == 1) pairs.keys[i] >>= chance.whole(0, 61);
@@ -96,17 +97,17 @@ TEST_CASE("a run is sorted in the cache as std::stable_sort would, whatever its 
   for (int seed = 0; seed < 2000; ++seed) {
     const std::size_t n = chance.whole(1, seed % 100 == 0 ? 9000 : 300);
     const int bits = chance.whole(0, tree::RunSort::most_bits(n));
-    const tree::Key shared = chance.bits();
+    const tree::MortonKey shared = chance.bits();
     std::vector<tree::Record> run(n);
-    tree::Key differing = 0;
+    tree::MortonKey differing = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const tree::Key low = bits == 0 ? 0 : chance.bits() >> (64 - bits);
-      const tree::Key crowd = chance.whole(0, 1) == 0 ? low : low >> (bits - bits / 2);
+      const tree::MortonKey low = bits == 0 ? 0 : chance.bits() >> (64 - bits);
+      const tree::MortonKey crowd = chance.whole(0, 1) == 0 ? low : low >> (bits - bits / 2);
       run[i] = {bits == 64 ? crowd : (shared >> bits << bits) | crowd,
                 static_cast<std::uint32_t>(chance.whole(0, 1000000))};
       differing |= run[i].key ^ run[0].key;
     }
-    std::vector<tree::Key> keys(n);
+    std::vector<tree::MortonKey> keys(n);
     std::vector<std::uint32_t> index(n);
     sort(run, differing, keys, index);
     std::stable_sort(run.begin(), run.end(), [](auto& a, auto& b) { return a.key < b.key; });
@@ -121,11 +122,11 @@ TEST_CASE("a run is sorted in the cache as std::stable_sort would, whatever its 
 TEST_CASE("crowds of equal keys among others, of the greatest key, and of two keys are sorted") {
   test::Chance chance(17);
   const int threads = omp_get_max_threads();
-  const tree::Key last = ~tree::Key{0};
+  const tree::MortonKey last = ~tree::MortonKey{0};
   for (const int kind : {0, 1, 2, 3}) {
     Pairs pairs = random_pairs(260000, last, chance);
     for (std::size_t i = 0; i < pairs.keys.size(); ++i) {
-      tree::Key& key = pairs.keys[i];
+      tree::MortonKey& key = pairs.keys[i];
       const bool rare = i % 4999 == 17;
       if (kind == 0 && !rare) key = 42;
       if (kind == 1 && !rare) key = last;
@@ -147,8 +148,9 @@ TEST_CASE("crowds of equal keys among others, of the greatest key, and of two ke
 TEST_CASE("a short run is sorted by all bits, equal keys in their order") {
   test::Chance chance(18);
   tree::RunSort sort_run;
-  for (const tree::Key mask : {~tree::Key{0} >> 2, tree::Key{0}, tree::Key{7}, tree::Key{7} << 59,
-                               tree::Key{0x3000000000000003}}) {
+  for (const tree::MortonKey mask :
+       {~tree::MortonKey{0} >> 2, tree::MortonKey{0}, tree::MortonKey{7}, tree::MortonKey{7} << 59,
+        tree::MortonKey{0x3000000000000003}}) {
     for (const int n : {1, 2, 24, 25, 85, 300, 512}) {
       Pairs pairs = random_pairs(n, mask, chance);
       const Pairs expected = plainly_sorted(pairs);
@@ -170,8 +172,8 @@ TEST_CASE("codes of many points at once are those of one after the other") {
     }
     if (n > 3) x[1] = 1.0, y[1] = 0.0, x[2] = 1e300, y[3] = -1e300;
     const tree::kernel::DomainAxis axis{0.0, 1.0, 0x1p31};
-    const tree::Key mask = ~tree::Key{0} << 2 * chance.whole(0, 31);
-    std::vector<tree::Key> fast(n), plain(n);
+    const tree::MortonKey mask = ~tree::MortonKey{0} << 2 * chance.whole(0, 31);
+    std::vector<tree::MortonKey> fast(n), plain(n);
     const std::size_t strays =
         tree::kernel::plain_codes(x.data(), y.data(), n, axis, axis, mask, plain.data());
     CHECK(tree::kernel::codes(x.data(), y.data(), n, axis, axis, mask, fast.data()) == strays);
@@ -180,7 +182,7 @@ TEST_CASE("codes of many points at once are those of one after the other") {
 }
 
 TEST_CASE("radix sort refuses keys and indices of different number") {
-  std::vector<tree::Key> keys(3);
+  std::vector<tree::MortonKey> keys(3);
   std::vector<std::uint32_t> index(2);
   CHECK_THROWS_WITH(tree::radix_sort(keys, index), Contains("3 keys but 2 indices"));
 }

@@ -36,7 +36,7 @@ std::size_t looked_at(const Bins& bins, Vec2 at, double distance) {
 }  // namespace
 
 TEST_CASE("runs near a place hold every point within the distance, once") {
-  for (test::Kind kind : test::every_kind) {
+  for (test::PointKind kind : test::every_kind) {
     const test::PointSet set = test::make_points(kind, 2000);
     for (double side : {0.005, 0.1, 3.0}) {
       const Bins bins(set.x, set.y, side);
@@ -50,7 +50,7 @@ TEST_CASE("runs near a place hold every point within the distance, once") {
 }
 
 TEST_CASE("places outside the cloud find what is near them, and else look at little") {
-  const test::PointSet set = test::make_points(test::Kind::uniform, 2000);
+  const test::PointSet set = test::make_points(test::PointKind::uniform, 2000);
   const Bins bins(set.x, set.y, 0.05);
   for (Vec2 at : {Vec2{-0.1, 0.5}, Vec2{1.1, 1.1}, Vec2{0.5, 1e9}, Vec2{-1e30, 0.5}})
     CHECK(missed(bins, set.x, set.y, at, 0.2) == 0);
@@ -58,7 +58,7 @@ TEST_CASE("places outside the cloud find what is near them, and else look at lit
 }
 
 TEST_CASE("the order of bins names every point once") {
-  const test::PointSet set = test::make_points(test::Kind::hard, 1000);
+  const test::PointSet set = test::make_points(test::PointKind::hard, 1000);
   const Bins bins(set.x, set.y, 0.01);
   std::vector<std::uint32_t> order(bins.order().begin(), bins.order().end());
   std::ranges::sort(order);
@@ -68,7 +68,7 @@ TEST_CASE("the order of bins names every point once") {
 }
 
 TEST_CASE("stragglers far away cost no memory: there are no more cells than some sixteen a point") {
-  test::PointSet set = test::make_points(test::Kind::uniform, 500);
+  test::PointSet set = test::make_points(test::PointKind::uniform, 500);
   for (Vec2 straggler : {Vec2{1e12, 0}, Vec2{0, -1e12}, Vec2{-1e12, 1e12}}) {
     auto x = set.x, y = set.y;
     x.push_back(straggler.x);

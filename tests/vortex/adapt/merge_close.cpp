@@ -47,7 +47,7 @@ TEST_CASE("merging conserves circulation, impulse and second moment to round-off
   }
 }
 
-TEST_CASE("at a circle merging conserves circulation and sum gamma X of the acting positions") {
+TEST_CASE("at a circle merging conserves circulation and sum gamma X of the folded centroids") {
   const auto wall = body::circle({}, radius);
   for (double deep : {0.0, 0.1}) {
     const Blobs blobs = test::layer(3000, radius, deep, 0.01, 0.03);
@@ -106,7 +106,7 @@ TEST_CASE("the mirror image of a flow merges into its mirror image") {
     const Blobs here = merged(blobs, usual, shape);
     REQUIRE(here.size() < 0.8 * blobs.size());
     const Blobs there = test::mirrored(merged(test::mirrored(blobs), usual, shape));
-    CHECK(test::apart(test::acting_there(here, shape), test::acting_there(there, shape)) < 1e-12);
+    CHECK(test::apart(test::folded_there(here, shape), test::folded_there(there, shape)) < 1e-12);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 const Merging merging{.tolerance = 0.5, .reach = 2, .sigma_max = 0.2};
 const Limits limits(merging);
 
-using Table = Columns<std::vector<float>>;
+using Table = MergeColumns<std::vector<float>>;
 
 Blobs cloud(std::size_t n) {
   std::mt19937_64 random(5);
@@ -79,7 +79,7 @@ TEST_CASE("those who seek together find the partners that a plain search in doub
       for (std::uint32_t j = 0; j < b.size(); ++j) consider(j);
     });
     for (std::uint32_t k = 0; k < seekers.size(); ++k) {
-      const Choice choice = seekers.choice(k);
+      const MergeChoice choice = seekers.choice(k);
       const double least = least_error(b, first + k);
       REQUIRE((choice.partner == none) == std::isinf(least));
       if (choice.partner == none) continue;
@@ -106,7 +106,7 @@ TEST_CASE("one who seeks alone finds what one who seeks with others finds") {
     LoneSeeker alone(all, i);
     for (const auto& [first, last] : {std::pair{0u, 3u}, {3u, 90u}, {90u, 200u}})
       alone.consider(all, first, last, limits);
-    const Choice expected = plain.choice(0), choice = alone.choice();
+    const MergeChoice expected = plain.choice(0), choice = alone.choice();
     REQUIRE((choice.partner == none) == (expected.partner == none));
     if (choice.partner == none) continue;
     ++found;
@@ -117,19 +117,19 @@ TEST_CASE("one who seeks alone finds what one who seeks with others finds") {
 }
 
 TEST_CASE("a window leaves no pair that may merge, and conserves what pairs conserve") {
-  Window window;
+  MergeWindow window;
   const Blobs before = cloud(640);
-  Parts parts = loosened(before, nullptr);
+  AdaptedBlobs adapted = unpack(before, nullptr);
   Blobs after;
-  for (std::uint32_t first = 0; first < before.size(); first += Window::most) {
-    std::array<std::uint32_t, Window::most> members;
+  for (std::uint32_t first = 0; first < before.size(); first += MergeWindow::most) {
+    std::array<std::uint32_t, MergeWindow::most> members;
     std::iota(members.begin(), members.end(), first);
-    const std::size_t left = window.merge(members, parts.all, {}, limits);
-    REQUIRE(left < Window::most);
+    const std::size_t left = window.merge(members, adapted.all, {}, limits);
+    REQUIRE(left < MergeWindow::most);
     REQUIRE(std::is_sorted(members.begin(), members.begin() + left));
     Blobs kept;
     for (std::uint32_t i : std::span(members).first(left)) {
-      const Part& p = parts.all[i];
+      const AdaptedBlob& p = adapted.all[i];
       kept.append(p.centre(), p.gamma, std::sqrt(p.square));
       after.append(p.centre(), p.gamma, std::sqrt(p.square));
     }
@@ -144,7 +144,8 @@ TEST_CASE("a window leaves no pair that may merge, and conserves what pairs cons
 TEST_CASE("a merger beside the wall keeps mean and mean square of the distance, and all spread") {
   std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, false}, {{0, 0.3}, {0, 1}, false}};
   const double w = 0.25, v = 0.75, both = w * v;
-  Part p{0, 1, 1, 0.04, {0.002, 0.001}, 0, 1}, away{2, 1.4, 3, 0.08, {0, -0.003}, 1, 1}, q = away;
+  AdaptedBlob p{0, 1, 1, 0.04, {0.002, 0.001}, 0, 1}, away{2, 1.4, 3, 0.08, {0, -0.003}, 1, 1},
+      q = away;
   merge(p, q, at_wall);
   CHECK(p.gamma == 4);
   CHECK(p.x == Approx(1.5));
@@ -154,7 +155,7 @@ TEST_CASE("a merger beside the wall keeps mean and mean square of the distance, 
   CHECK(merged.nn + 1.3 * 1.3 ==
         Approx(w * (0.02 - 0.002 + 1 * 1) + v * (0.04 + 1.4 * 1.4)).epsilon(1e-14));
   CHECK(merged.tt == Approx(w * (0.02 + 0.002) + v * 0.04 + both * 2 * 2).epsilon(1e-14));
-  // Along the wall is -x; the tilt is that of acting positions, 0.6 apart.
+  // Along the wall is -x; the tilt is that of folded centroids, 0.6 apart.
   CHECK(merged.nt == Approx(w * -0.001 + v * 0.003 + both * 0.6 * -2).epsilon(1e-14));
   CHECK(at_wall[0].moved);
 }

@@ -13,9 +13,9 @@ namespace {
 const Merging usual{.tolerance = 20, .sigma_max = 0.05};
 
 Blobs in_windows(const Blobs& blobs, double shift = 0, const Merging& merging = usual) {
-  vortex::Parts parts = loosened(blobs, nullptr);
-  merge_in_windows(parts, merging, shift);
-  return settled(parts, nullptr);
+  vortex::AdaptedBlobs adapted = unpack(blobs, nullptr);
+  merge_in_windows(adapted, merging, shift);
+  return pack(adapted, nullptr);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "vortex/strained_flows.hpp"
 #include "vortex/adapt/split_wide.hpp"
+#include "vortex/strained_flows.hpp"
 
 using namespace vortree;
 using vortex::Blobs;
@@ -29,7 +29,7 @@ AtWall at_wall(const Blobs& blobs) {
   AtWall sum;
   double cross = 0;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
-    const Placed acts = acting_blob(blobs.centre(i), blobs.core(i), &flat);
+    const Placed acts = fold(blobs.centre(i), blobs.core(i), &flat);
     const Covariance v = acts.core.covariance({0, 1});
     const double g = blobs.gamma[i], n = acts.centre.y, t = -acts.centre.x;
     sum.circulation += g;
@@ -110,7 +110,7 @@ TEST_CASE("the mirror image of a strained flow splits into its mirror image") {
   for (const body::Shape* wall : {circle.get(), static_cast<body::Shape*>(nullptr)}) {
     const Blobs there = test::mirrored(halves(blobs, {0.03}, wall));
     const Blobs here = halves(test::mirrored(blobs), {0.03}, wall);
-    CHECK(test::apart(test::acting_there(here, wall), test::acting_there(there, wall)) <
+    CHECK(test::apart(test::folded_there(here, wall), test::folded_there(there, wall)) <
           1e-8);  // on the wall, the root of round-off
   }
 }

@@ -47,7 +47,7 @@ TEST_CASE("splitting conserves circulation, impulse and second moment to round-o
   }
 }
 
-TEST_CASE("at a circle splitting conserves circulation and sum gamma X of the acting positions") {
+TEST_CASE("at a circle splitting conserves circulation and sum gamma X of the folded centroids") {
   const auto wall = body::circle({}, radius);
   const Blobs blobs = test::layer(1000, radius, 0.1, 0.01, 0.03);
   for (double alpha : {0.5, 0.7, 0.9}) {
@@ -90,7 +90,7 @@ TEST_CASE("nothing wider than sigma_max remains when alpha brings the widest bel
   CHECK(widest(halves(test::cloud(500, 0.05, 0.14), splitting, nullptr)) <= 0.1);
   // Beside the wall many Gaussians fold to all but the same; as they act none is wider.
   const Blobs layer = halves(test::layer(500, radius, 0.3, 0.05, 0.14), splitting, wall.get());
-  CHECK(std::ranges::max(acting(layer, wall.get()).sigma) <= 0.1001);  // the wall is bent
+  CHECK(std::ranges::max(fold(layer, wall.get()).sigma) <= 0.1001);  // the wall is bent
 }
 
 TEST_CASE("the mirror image of a flow splits into its mirror image") {
@@ -99,7 +99,7 @@ TEST_CASE("the mirror image of a flow splits into its mirror image") {
   for (const body::Shape* shape : {wall.get(), static_cast<body::Shape*>(nullptr)}) {
     const Blobs there = test::mirrored(halves(blobs, {0.03}, shape));
     const Blobs here = halves(test::mirrored(blobs), {0.03}, shape);
-    CHECK(test::apart(test::acting_there(here, shape), test::acting_there(there, shape)) < 1e-12);
+    CHECK(test::apart(test::folded_there(here, shape), test::folded_there(there, shape)) < 1e-12);
   }
 }
 

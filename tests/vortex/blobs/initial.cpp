@@ -40,15 +40,15 @@ vortex::Problem inviscid(const fmm::Options& velocity, double dt) {
   return {.flow = {{}, 0},
           .dt = dt,
           .scheme = flow::Scheme::rk4,
-          .carrying_cores = std::numbers::sqrt2,
+          .advecting_cores = std::numbers::sqrt2,
           .sigma_0 = 1,
           .splitting = {1},
           .merging = {.tolerance = 0, .sigma_max = 1},
           .sums = velocity};
 }
 
-double tilt(const vortex::Form& form) {
-  return 0.5 * std::atan2(form.quadrupole.y, form.quadrupole.x);
+double tilt(const vortex::Moments& moments) {
+  return 0.5 * std::atan2(moments.quadrupole.y, moments.quadrupole.x);
 }
 
 }  // namespace
@@ -68,25 +68,25 @@ TEST_CASE("elliptical and perturbed Gaussians cut into blobs are themselves agai
   CHECK_THROWS_AS(vortex::uniform_ellipse({{}, 0.1, 0}, 1, 1, 1), std::invalid_argument);
 }
 
-TEST_CASE("the form of known shapes: circulation, quadrupole, tilt, separation") {
+TEST_CASE("the moments of known shapes: circulation, quadrupole, tilt, separation") {
   // int omega (x^2 - y^2) of a Gaussian ellipse is gamma (a^2 - b^2)/2, of a uniform one a quarter.
   const Lattice lattice{{0.3, -0.1}, 0.03, 0.03};
-  const vortex::Form gaussian = form(vortex::gaussian_ellipse(lattice, 2, 0.28, 0.14));
+  const vortex::Moments gaussian = moments(vortex::gaussian_ellipse(lattice, 2, 0.28, 0.14));
   CHECK(gaussian.quadrupole.x == Approx(0.28 * 0.28 - 0.14 * 0.14).epsilon(1e-7));
   CHECK(gaussian.quadrupole.y == Approx(0).margin(1e-12));
   CHECK(gaussian.separation == Approx(2 * 0.28 / std::sqrt(pi)).epsilon(1e-4));
-  const vortex::Form uniform = form(vortex::uniform_ellipse(lattice, 2, 1, 0.5));
+  const vortex::Moments uniform = moments(vortex::uniform_ellipse(lattice, 2, 1, 0.5));
   CHECK(uniform.quadrupole.x == Approx(0.5 * (1 - 0.25)).epsilon(1e-3));
 
   Blobs pair;
   pair.append({1, 1}, 0.5, 0.1);
   pair.append({2, 1 + std::sqrt(3.0)}, 0.5, 0.1);
-  CHECK(tilt(form(pair)) == Approx(pi / 3));
-  CHECK(form(pair).separation == Approx(2));
-  CHECK(form(pair).positive == 1);
+  CHECK(tilt(moments(pair)) == Approx(pi / 3));
+  CHECK(moments(pair).separation == Approx(2));
+  CHECK(moments(pair).positive == 1);
   pair.gamma[1] = -0.5;
-  CHECK(form(pair).separation == Approx(2));
-  CHECK(form(pair).positive_centre.y == 1);
+  CHECK(moments(pair).separation == Approx(2));
+  CHECK(moments(pair).positive_centre.y == 1);
 }
 
 TEST_CASE("energy of a Gaussian vortex: enstrophy gamma^2/(2 pi a^2), which is what it loses") {
@@ -107,13 +107,13 @@ TEST_CASE("Kirchhoff's ellipse turns at a b/(a + b)^2 of its vorticity; the erro
   const exact::KirchhoffEllipse ellipse{pi / 2, 1, 0.5};
   CHECK(ellipse.vorticity() == Approx(1));
   CHECK(ellipse.rate() == Approx(2.0 / 9));
-  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   const auto error = [&](double h) {
     Blobs blobs = vortex::uniform_ellipse({{}, 1.25 * h, h}, pi / 2, 1, 0.5);
     const double before = energy(blobs).energy;
     for (int k = 0; k < 20; ++k) step(blobs, inviscid(direct, 0.2), k, [](std::string_view) {});
     CHECK(energy(blobs).energy == Approx(before).epsilon(1e-7));
-    return std::abs(tilt(form(blobs)) / (4 * ellipse.rate()) - 1);
+    return std::abs(tilt(moments(blobs)) / (4 * ellipse.rate()) - 1);
   };
   const double coarse = error(0.1), fine = error(0.05);
   CHECK(coarse < 0.015);
@@ -121,7 +121,7 @@ TEST_CASE("Kirchhoff's ellipse turns at a b/(a + b)^2 of its vorticity; the erro
 }
 
 TEST_CASE("a pair of blobs that act by both cores travels, or circles, as Gaussians do") {
-  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto direct = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   const exact::VortexPair pair{1, 0.6, 1, 0};
   CHECK(pair.travelled(3) == Approx(3 * pair.speed(0)));
   const exact::VortexPair viscous{1, 0.6, 1, 0.01};
@@ -134,6 +134,6 @@ TEST_CASE("a pair of blobs that act by both cores travels, or circles, as Gaussi
     if (right < 0)
       CHECK(blobs.y[0] == Approx(pair.travelled(0.5)).epsilon(1e-9));
     else
-      CHECK(tilt(form(blobs)) == Approx(2 * pair.travelled(0.5)).epsilon(1e-6));
+      CHECK(tilt(moments(blobs)) == Approx(2 * pair.travelled(0.5)).epsilon(1e-6));
   }
 }

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "vortex/strained_flows.hpp"
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/strained_flows.hpp"
 
 using namespace vortree;
 using vortex::Core;
@@ -15,15 +15,15 @@ namespace {
 const test::FlatWall flat;
 constexpr double s2 = 1e-4;  // of all cores here: sigma = 0.01
 
-/// How far a blob is from coming back when it is put around what it acts as: its acting position,
+/// How far a blob is from coming back when it is put around what it acts as: its folded centroid,
 /// in cores, and its variance across the wall, relative.
 struct Missed {
   double mean = 0, across = 0, other = 0;
 };
 Missed missed(const Placed& blob, const body::Shape& wall) {
-  const Placed acts = acting_blob(blob.centre, blob.core, &wall);
-  const Placed back = place_acting(acts, &wall);
-  const Placed again = acting_blob(back.centre, back.core, &wall);
+  const Placed acts = fold(blob.centre, blob.core, &wall);
+  const Placed back = unfold(acts, &wall);
+  const Placed again = fold(back.centre, back.core, &wall);
   const Vec2 n = wall.nearest(blob.centre).normal, off = again.centre - acts.centre;
   const Covariance v = acts.core.covariance(n), w = again.core.covariance(n);
   return {std::hypot(off.x, off.y) / std::sqrt(s2), std::abs(w.nn / v.nn - 1),

@@ -35,7 +35,7 @@ TEST_CASE("the profile of a folded core is that of exp and erf, to 5e-16") {
   // the series, once in what it is compared with.
   for (int k = -4000; k <= 4000; ++k) {
     const double q = 1e-3 * k + 1e-4 * (k % 7), bell = std::exp(-q * q);
-    if (std::abs(q) > folded::reach) continue;
+    if (std::abs(q) > folded::support) continue;
     const folded::Profile at = folded::profile(q);
     const double mean = folded::inverse_sqrt_pi * bell + q * std::erf(q);
     CHECK(std::abs(at.mean - mean) <= 5e-16 * std::max(1.0, mean));
@@ -82,7 +82,7 @@ TEST_CASE("a core far from the wall is free: its mean is its centre, its varianc
 
 TEST_CASE("the seam between folded and free is no wider than 1e-8 cores") {
   for (double kappa : {0.0, 2.0}) {
-    const double s = 0.1, inside = folded::reach * s * (1 - 1e-14);
+    const double s = 0.1, inside = folded::support * s * (1 - 1e-14);
     CHECK(std::abs(folded::mean_distance(inside, s, kappa) - inside) < 1e-8 * s);
   }
 }

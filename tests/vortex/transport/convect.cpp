@@ -2,20 +2,20 @@
 
 #include <catch2/catch.hpp>
 
-#include "vortex/flows.hpp"
 #include "fmm/direct.hpp"
+#include "vortex/flows.hpp"
 
 using namespace vortree;
-using vortex::Acting;
-using vortex::Blobs;
 using flow::Scheme;
+using vortex::Blobs;
+using vortex::FoldedBlobs;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-vortex::Carrying direct_sum(fmm::Cores cores, Vec2 stream = {}) {
-  return [=](const Blobs& blobs, const Acting& at, double, vortex::Gradients*) {
+vortex::AdvectingVelocity direct_sum(fmm::Cores cores, Vec2 stream = {}) {
+  return [=](const Blobs& blobs, const FoldedBlobs& at, double, vortex::Gradients*) {
     vortex::Velocities u(blobs.size());
     velocity_direct({at.x, at.y, blobs.gamma, at.sigma}, {at.x, at.y, at.sigma}, cores, u.u, u.v);
     for (double& a : u.u) a += stream.x;
@@ -31,7 +31,7 @@ Blobs pair(double gamma1, double gamma2, double sigma1, double sigma2) {
   return blobs;
 }
 
-Blobs carried(Blobs blobs, const vortex::Carrying& velocity, Scheme scheme, double time,
+Blobs carried(Blobs blobs, const vortex::AdvectingVelocity& velocity, Scheme scheme, double time,
               int steps) {
   for (int k = 0; k < steps; ++k) convect(blobs, velocity, nullptr, scheme, time / steps);
   return blobs;
@@ -66,7 +66,8 @@ TEST_CASE("two blobs of unlike cores turn about each other: rk2 errs as dt^2, rk
 
 TEST_CASE("a stream alone carries blobs straight, whatever the step") {
   const Blobs blobs = test::cloud(10, 0.1, 0.2);
-  const vortex::Carrying stream = [](const Blobs& b, const Acting&, double, vortex::Gradients*) {
+  const vortex::AdvectingVelocity stream = [](const Blobs& b, const FoldedBlobs&, double,
+                                              vortex::Gradients*) {
     vortex::Velocities u(b.size());
     for (double& a : u.u) a = 2;
     for (double& a : u.v) a = -1;
@@ -108,19 +109,20 @@ TEST_CASE("mean cores conserve impulse to round-off; the sources' own do not") {
   CHECK(moved(fmm::Cores::source, Scheme::rk4) > 1e-4);
 }
 
-TEST_CASE("past a wall the acting position is what moves, and no centre enters the body") {
+TEST_CASE("past a wall the folded centroid is what moves, and no centre enters the body") {
   const auto wall = body::circle({}, 0.5);
   Blobs blobs;
   blobs.append({0.51, 0}, 1, 0.02);
   blobs.append({-0.505, 0}, 1, 0.02);
-  const Acting before = acting(blobs, wall.get());
-  const vortex::Carrying right = [](const Blobs& b, const Acting&, double, vortex::Gradients*) {
+  const FoldedBlobs before = fold(blobs, wall.get());
+  const vortex::AdvectingVelocity right = [](const Blobs& b, const FoldedBlobs&, double,
+                                             vortex::Gradients*) {
     vortex::Velocities u(b.size());
     for (double& a : u.u) a = 1;
     return u;
   };
   convect(blobs, right, wall.get(), Scheme::rk2, 0.003);
-  const Acting after = acting(blobs, wall.get());
+  const FoldedBlobs after = fold(blobs, wall.get());
   CHECK(after.x[0] - before.x[0] == Approx(0.003).epsilon(1e-9));
   CHECK(after.x[1] - before.x[1] == Approx(0.003).epsilon(1e-9));
   CHECK(blobs.sigma[0] == 0.02);

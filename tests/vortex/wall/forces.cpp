@@ -111,7 +111,7 @@ TEST_CASE("past a cylinder started from rest the wall vorticity is that of short
   // Of blobs which have been released, split and merged; Re = 20, T = 0.01 and 0.015. Their sum
   // without smoothing is 15 % off.
   const Wall wall = wall_of(200);
-  const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::Method::direct};
+  const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};
   const vortex::Problem problem{.flow = {{1, 0}, 0.05},
                                 .dt = 5e-4,
                                 .sigma_0 = 0.005,

@@ -69,14 +69,14 @@ double circulation_in_fluid(double distance, double sigma) {
 }  // namespace
 
 TEST_CASE("vorticity is the sum of all cores, cut where they fall to 1e-10") {
-  const test::PointSet at = test::make_points(test::Kind::uniform, 1000);
+  const test::PointSet at = test::make_points(test::PointKind::uniform, 1000);
   const Blobs blobs = test::cloud(500, 0.01, 0.1);
   CHECK(difference(blobs, nullptr, at) < 500 * 1e-10);
 }
 
 TEST_CASE("next to a wall vorticity is the sum of all cores and all images, and none in the body") {
   const auto wall = body::circle({}, radius);
-  const test::PointSet at = test::make_points(test::Kind::ringwake, 1000);
+  const test::PointSet at = test::make_points(test::PointKind::ringwake, 1000);
   const Blobs blobs = test::layer(500, radius, 0.2, 0.005, 0.03);
   CHECK(difference(blobs, wall.get(), at) < 500 * 2e-7);  // images end where folding does: exp(-16)
   std::vector<double> omega{1, 1};

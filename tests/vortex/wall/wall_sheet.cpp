@@ -5,7 +5,7 @@
 
 using namespace vortree;
 using test::Complex;
-using vortex::Acting;
+using vortex::FoldedBlobs;
 using vortex::Wall;
 
 namespace {
@@ -16,12 +16,12 @@ Wall wall_of(int panels) {
   return Wall(body::circle({}, radius), panels);
 }
 
-Acting vortex_at(Complex z) {
+FoldedBlobs vortex_at(Complex z) {
   return {{z.real()}, {z.imag()}, {0.01}};
 }
 
 std::vector<double> slip_of_vortex(const Wall& wall, Complex z0) {
-  const Acting at = vortex_at(z0);
+  const FoldedBlobs at = vortex_at(z0);
   const std::vector<double> one{1.0};
   return wall.slip({}, test::sampled(wall, at, one), at, one);
 }
@@ -177,7 +177,7 @@ TEST_CASE("the sheet of a vortex very near is the average of the images' over ea
 TEST_CASE("slip and sheet are the same bits for any number of threads") {
   const Wall wall = wall_of(100);
   const vortex::Blobs blobs = test::layer(3000, radius, 0.1, 0.01, 0.02);
-  const Acting at = acting(blobs, &wall.shape());
+  const FoldedBlobs at = fold(blobs, &wall.shape());
   const auto u = test::sampled(wall, at, blobs.gamma);
   const auto sheet = [&] { return wall.sheet(wall.slip({1, 0}, u, at, blobs.gamma), 0); };
   const auto once = test::with_threads(1, sheet);

@@ -32,7 +32,8 @@ std::vector<Complex> velocity(const Wall& wall, const std::vector<double>& sheet
     y.push_back(z.imag());
   }
   vortex::Velocities u(at.size());
-  wall.add_velocity(sheet, fmm::Options{.cores = fmm::Cores::source, .method = fmm::Method::direct},
+  wall.add_velocity(sheet,
+                    fmm::Options{.cores = fmm::Cores::source, .method = fmm::SumMethod::direct},
                     {x, y}, u);
   std::vector<Complex> w;
   for (std::size_t k = 0; k < at.size(); ++k) w.emplace_back(u.u[k], -u.v[k]);
@@ -80,7 +81,7 @@ TEST_CASE("stream and sheet leave the body's interior at rest") {
 
 TEST_CASE("a vortex and its sheet leave the interior at rest, to second order in the panels") {
   const Complex z0 = std::polar(0.8, 2.0);
-  const vortex::Acting at{{z0.real()}, {z0.imag()}, {0.01}};
+  const vortex::FoldedBlobs at{{z0.real()}, {z0.imag()}, {0.01}};
   const std::vector<double> one{1.0};
   const auto inside = [&](int panels) {
     const Wall wall = wall_of(panels);
@@ -175,10 +176,11 @@ TEST_CASE("the velocity of a sheet is added to what was there, and the same by b
   const std::vector<double> x{0.6, 0.0, -2, 0.501}, y{0.1, 0.53, 1, 0};
   vortex::Velocities direct(4), boxes(4);
   for (auto* u : {&direct, &boxes}) u->u = {5, 6, 7, 8};
-  wall.add_velocity(sheet, fmm::Options{.cores = fmm::Cores::source, .method = fmm::Method::direct},
+  wall.add_velocity(sheet,
+                    fmm::Options{.cores = fmm::Cores::source, .method = fmm::SumMethod::direct},
                     {x, y}, direct);
-  wall.add_velocity(sheet, fmm::Options{.tolerance = 1e-10, .method = fmm::Method::boxes}, {x, y},
-                    boxes);
+  wall.add_velocity(sheet, fmm::Options{.tolerance = 1e-10, .method = fmm::SumMethod::boxes},
+                    {x, y}, boxes);
   for (std::size_t k = 0; k < 4; ++k) {
     const auto alone = velocity(wall, sheet, {{x[k], y[k]}});
     CHECK(direct.u[k] == Approx(5 + k + alone[0].real()).epsilon(1e-14));

@@ -13,12 +13,12 @@ namespace {
 using Lists = std::vector<std::vector<std::int32_t>>;
 
 template <int dimensions>
-struct Points {
+struct CellListPoints {
   std::array<const double*, dimensions> x;
   std::size_t n;
   double r2;
 
-  Points(const Coordinates& points, double reach) : n(points[0].size()), r2(reach * reach) {
+  CellListPoints(const Coordinates& points, double reach) : n(points[0].size()), r2(reach * reach) {
     for (int d = 0; d < dimensions; ++d) x[d] = points[d].data();
   }
 
@@ -32,7 +32,7 @@ struct Points {
 };
 
 template <int dimensions>
-Lists naive(const Points<dimensions>& p) {
+Lists naive(const CellListPoints<dimensions>& p) {
   Lists lists(p.n);
   for (std::size_t i = 0; i < p.n; ++i) {
     for (std::size_t j = i + 1; j < p.n; ++j) p.test(i, j, lists);
@@ -42,9 +42,9 @@ Lists naive(const Points<dimensions>& p) {
 
 // A box of cells; the particles of each are one run of `order`.
 template <int dimensions>
-class Cells {
+class CellLists {
  public:
-  Cells(const Points<dimensions>& p, double reach) {
+  CellLists(const CellListPoints<dimensions>& p, double reach) {
     const double most = std::ceil(std::pow(static_cast<double>(p.n), 1.0 / dimensions));
     for (int d = 0; d < dimensions; ++d) {
       const auto [low, high] = std::minmax_element(p.x[d], p.x[d] + p.n);
@@ -65,7 +65,7 @@ class Cells {
 
   using Place = std::array<std::int64_t, dimensions>;
 
-  [[nodiscard]] Place place(const Points<dimensions>& p, std::size_t i) const {
+  [[nodiscard]] Place place(const CellListPoints<dimensions>& p, std::size_t i) const {
     Place at;
     for (int d = 0; d < dimensions; ++d) {
       at[d] = static_cast<std::int64_t>((p.x[d][i] - low_[d]) / side_[d]);
@@ -106,10 +106,10 @@ class Cells {
 };
 
 template <int dimensions>
-Lists by_cells(const Points<dimensions>& p, double reach) {
+Lists by_cells(const CellListPoints<dimensions>& p, double reach) {
   Lists lists(p.n);
   if (p.n == 0) return lists;
-  const Cells<dimensions> cells(p, reach);
+  const CellLists<dimensions> cells(p, reach);
   for (const std::uint32_t i : cells.order()) {
     cells.around(cells.place(p, i), [&](std::uint32_t j) {
       if (j > i) p.test(i, j, lists);
@@ -121,12 +121,13 @@ Lists by_cells(const Points<dimensions>& p, double reach) {
 }  // namespace
 
 Lists neighbors_naive(const Coordinates& points, double reach) {
-  return points.size() == 2 ? naive(Points<2>(points, reach)) : naive(Points<3>(points, reach));
+  return points.size() == 2 ? naive(CellListPoints<2>(points, reach))
+                            : naive(CellListPoints<3>(points, reach));
 }
 
 Lists neighbors_by_cells(const Coordinates& points, double reach) {
-  return points.size() == 2 ? by_cells(Points<2>(points, reach), reach)
-                            : by_cells(Points<3>(points, reach), reach);
+  return points.size() == 2 ? by_cells(CellListPoints<2>(points, reach), reach)
+                            : by_cells(CellListPoints<3>(points, reach), reach);
 }
 
 Coordinates random_coordinates(int dimensions, std::size_t n) {

@@ -17,11 +17,11 @@ namespace bg = boost::geometry;
 namespace bgi = boost::geometry::index;
 using tree::PairRule;
 using Place = bg::model::point<double, 2, bg::cs::cartesian>;
-using Box = bg::model::box<Place>;
+using BoostBox = bg::model::box<Place>;
 
 // Neighbors are nearer than the reach along either axis, and rounding is monotone: no margin. No
 // coordinate is beyond, and the packing takes means of sides.
-Box box_around(double x, double y, double reach) {
+BoostBox box_around(double x, double y, double reach) {
   const double r = std::min(reach, 4 * tree::largest_coordinate);
   return {{x - r, y - r}, {x + r, y + r}};
 }
@@ -31,7 +31,7 @@ class RTree : public RowByRow<RTree> {
  public:
   void build(const NeighborJob& job) override {
     std::vector<std::pair<Place, std::int32_t>> places;
-    std::vector<std::pair<Box, std::int32_t>> boxes;
+    std::vector<std::pair<BoostBox, std::int32_t>> boxes;
     for (std::size_t i = 0; i < job.points.size(); ++i) {
       const double x = job.points.x[i], y = job.points.y[i];
       places.emplace_back(Place(x, y), static_cast<std::int32_t>(i));
@@ -45,7 +45,7 @@ class RTree : public RowByRow<RTree> {
   template <PairRule rule>
   void find(const NeighborJob& job, std::size_t i, std::vector<std::int32_t>& row) const {
     const Place here(job.points.x[i], job.points.y[i]);
-    const Box around = box_around(bg::get<0>(here), bg::get<1>(here), job.reach[i]);
+    const BoostBox around = box_around(bg::get<0>(here), bg::get<1>(here), job.reach[i]);
     const auto take = [&](std::int32_t number) {
       const auto j = static_cast<std::size_t>(number);
       if (j == i || !is_pair<rule>(job, i, j)) return;
@@ -63,7 +63,7 @@ class RTree : public RowByRow<RTree> {
 
  private:
   bgi::rtree<std::pair<Place, std::int32_t>, bgi::rstar<16>> places_;
-  bgi::rtree<std::pair<Box, std::int32_t>, bgi::rstar<16>> boxes_;
+  bgi::rtree<std::pair<BoostBox, std::int32_t>, bgi::rstar<16>> boxes_;
 };
 
 }  // namespace

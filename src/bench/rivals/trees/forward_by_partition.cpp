@@ -14,7 +14,7 @@ namespace vortree::bench {
 namespace {
 
 using tree::Cell;
-using tree::Key;
+using tree::MortonKey;
 using tree::Range;
 using tree::Record;
 using Records = Unwritten<Record>;
@@ -26,9 +26,10 @@ Records encoded(tree::Points points, const tree::Domain& domain) {
   Records records(points.size());
 #pragma omp parallel for schedule(static) if (points.size() > tree::worth_sharing)
   for (std::size_t first = 0; first < points.size(); first += some) {
-    std::array<Key, some> keys;
+    std::array<MortonKey, some> keys;
     const std::size_t n = std::min(some, points.size() - first);
-    (void)tree::kernel::codes(&points.x[first], &points.y[first], n, x, y, ~Key{0}, keys.data());
+    (void)tree::kernel::codes(&points.x[first], &points.y[first], n, x, y, ~MortonKey{0},
+                              keys.data());
     for (std::size_t i = 0; i < n; ++i) {
       records[first + i] = {keys[i], static_cast<std::uint32_t>(first + i)};
     }
@@ -90,7 +91,7 @@ class Partition {
   void add_children(std::uint32_t parent, const std::array<std::uint32_t, 4>& ends) {
     std::uint32_t first = cells_[parent].points.first;
     const auto eldest = static_cast<std::uint32_t>(cells_.size());
-    for (Key q = 0; q < 4; first = ends[q++]) {
+    for (MortonKey q = 0; q < 4; first = ends[q++]) {
       if (first == ends[q]) continue;
       cells_.push_back({cells_[parent].key * 4 + q,
                         cells_[parent].level + 1,
@@ -110,7 +111,8 @@ class Partition {
 tree::MortonOrder finished(const tree::Domain& domain, Records& records,
                            const tree::Assembly& grown) {
   const std::size_t n = records.size();
-  tree::MortonOrder order{domain, tree::max_level, Unwritten<Key>(n), Unwritten<std::uint32_t>(n)};
+  tree::MortonOrder order{domain, tree::max_level, Unwritten<MortonKey>(n),
+                          Unwritten<std::uint32_t>(n)};
 #pragma omp parallel for schedule(static) if (n > tree::worth_sharing)
   for (const std::uint32_t c : grown.childless) {
     const Range run = grown.cells[c].points;
@@ -129,7 +131,7 @@ tree::MortonOrder finished(const tree::Domain& domain, Records& records,
 }  // namespace
 
 tree::Quadtree forward_by_partition(tree::Points points, const tree::Domain& domain,
-                                    std::uint32_t n_ctrl, const TreePhase& phase) {
+                                    std::uint32_t n_ctrl, const tree::Phase& phase) {
   phase("encode");
   Records records = encoded(points, domain);
   phase("build");

@@ -13,14 +13,14 @@
 namespace vortree::bench {
 namespace {
 
-using tree::Key;
+using tree::MortonKey;
 using tree::Range;
 using tree::Record;
 using tree::RunSort;
 
 /// Codes one after the other in an order that was right for slightly different ones: for places
 /// [first, first + keys.size()) of that order.
-using CodesOf = std::function<void(std::size_t first, std::span<Key> keys)>;
+using CodesOf = std::function<void(std::size_t first, std::span<MortonKey> keys)>;
 
 constexpr std::size_t block_size = 1024;
 
@@ -32,10 +32,10 @@ bool before(const Record& a, const Record& b) {
 
 // Puts records in order whose keys agree in all but the lowest bits and come one
 // after the other.
-void order_alike(std::span<Key> keys, std::span<std::uint32_t> index, int low_bits) {
+void order_alike(std::span<MortonKey> keys, std::span<std::uint32_t> index, int low_bits) {
   std::vector<Record> alike;
   for (std::size_t first = 0, last = 0; first < keys.size(); first = last) {
-    const Key shared = keys[first] >> low_bits;
+    const MortonKey shared = keys[first] >> low_bits;
     for (last = first + 1; last < keys.size() && keys[last] >> low_bits == shared;) {
       ++last;
     }
@@ -61,7 +61,7 @@ class Repair {
     find_bounds();
   }
 
-  bool run(Unwritten<Key>& keys, Unwritten<std::uint32_t>& index) {
+  bool run(Unwritten<MortonKey>& keys, Unwritten<std::uint32_t>& index) {
     const std::size_t pieces = tree::pieces_of(previous_.size());
     leaving_.resize(pieces);
     tree::for_each_piece(pieces, [&](std::size_t p) {
@@ -93,7 +93,7 @@ class Repair {
 
   // A block begins at the middle one of some keys there: few strays do not matter.
   void find_bounds() {
-    std::array<Key, 7> some;
+    std::array<MortonKey, 7> some;
     bounds_.assign(blocks_ + 1, 0);
     for (std::size_t b = 1; b < blocks_; ++b) {
       const std::size_t first =
@@ -102,16 +102,16 @@ class Repair {
       std::ranges::nth_element(some, some.begin() + some.size() / 2);
       bounds_[b] = std::max(bounds_[b - 1], some[some.size() / 2]);
     }
-    bounds_[blocks_] = ~Key{0};  // greater than any code
+    bounds_[blocks_] = ~MortonKey{0};  // greater than any code
   }
 
   // Who stays in a block is kept at its beginning, in the order of before.
   void part(std::size_t block, std::vector<Record>& leaving) {
     const Range run = places(block);
-    std::array<Key, block_size> room;
-    const std::span<Key> keys(room.data(), run.size());
+    std::array<MortonKey, block_size> room;
+    const std::span<MortonKey> keys(room.data(), run.size());
     codes_of_(run.first, keys);
-    const Key low = bounds_[block], high = bounds_[block + 1];
+    const MortonKey low = bounds_[block], high = bounds_[block + 1];
     Record* to = &records_[run.first];
     for (std::size_t i = 0; i < keys.size(); ++i) {
       *to = {keys[i], previous_[run.first + i]};
@@ -126,7 +126,7 @@ class Repair {
 
   // Sorts who leaves, and finds which of them come to each block.
   bool gather_leaving() {
-    std::vector<Key> keys;
+    std::vector<MortonKey> keys;
     std::vector<std::uint32_t> index;
     std::size_t n = 0;
     for (const auto& some : leaving_) n += some.size();
@@ -151,7 +151,7 @@ class Repair {
     return true;
   }
 
-  void join(std::size_t block, Bench& bench, std::span<Key> keys,
+  void join(std::size_t block, Bench& bench, std::span<MortonKey> keys,
             std::span<std::uint32_t> index) const {
     const std::span<const Record> stayed(&records_[places(block).first], staying_[block]);
     const std::span<const Record> come(coming_.data() + first_coming_[block],
@@ -162,9 +162,9 @@ class Repair {
           index.subspan(start_[block], bench.records.size()));
   }
 
-  static void write(Bench& bench, std::span<Key> keys, std::span<std::uint32_t> index) {
+  static void write(Bench& bench, std::span<MortonKey> keys, std::span<std::uint32_t> index) {
     std::vector<Record>& records = bench.records;
-    Key least = ~Key{0}, greatest = 0;
+    MortonKey least = ~MortonKey{0}, greatest = 0;
     bool ordered = true;
     for (std::size_t i = 0; i < records.size(); ++i) {
       least = std::min(least, records[i].key);
@@ -181,15 +181,15 @@ class Repair {
     // Above the least key, so that few leading bits are wasted.
     for (Record& record : records) record.key -= least;
     const int bits = static_cast<int>(std::bit_width(greatest - least));
-    bench.sort_run(records, bits == 0 ? 0 : ~Key{0} >> (64 - bits), keys, index);
+    bench.sort_run(records, bits == 0 ? 0 : ~MortonKey{0} >> (64 - bits), keys, index);
     order_alike(keys, index, std::max(0, bits - RunSort::most_bits(records.size())));
-    for (Key& key : keys) key += least;
+    for (MortonKey& key : keys) key += least;
   }
 
   std::span<const std::uint32_t> previous_;
   const CodesOf& codes_of_;
   std::size_t blocks_;
-  std::vector<Key> bounds_;  // block b holds keys in [bounds[b], bounds[b + 1])
+  std::vector<MortonKey> bounds_;  // block b holds keys in [bounds[b], bounds[b + 1])
   std::vector<std::uint32_t> staying_;
   std::unique_ptr<Record[]> records_;
   std::vector<std::vector<Record>> leaving_;  // by piece
@@ -199,7 +199,8 @@ class Repair {
 
 // Of some points that are not next to each other.
 void encode_some(tree::Points points, const tree::Domain& domain,
-                 std::span<const std::uint32_t> index, std::size_t first, std::span<Key> keys) {
+                 std::span<const std::uint32_t> index, std::size_t first,
+                 std::span<MortonKey> keys) {
   constexpr std::size_t most = 256, ahead = 48;
   const tree::kernel::DomainAxis along_x{domain.x0, domain.x0 + domain.side, 0x1p31 / domain.side};
   const tree::kernel::DomainAxis along_y{domain.y0, domain.y0 + domain.side, 0x1p31 / domain.side};
@@ -213,7 +214,7 @@ void encode_some(tree::Points points, const tree::Domain& domain,
       __builtin_prefetch(&points.y[next]);
       x[i] = points.x[index[place]], y[i] = points.y[index[place]];
     }
-    (void)tree::kernel::codes(x.data(), y.data(), n, along_x, along_y, ~Key{0}, &keys[done]);
+    (void)tree::kernel::codes(x.data(), y.data(), n, along_x, along_y, ~MortonKey{0}, &keys[done]);
   }
 }
 
@@ -222,7 +223,7 @@ void encode_some(tree::Points points, const tree::Domain& domain,
 tree::MortonOrder repaired_order(tree::Points points, const tree::Domain& domain,
                                  std::span<const std::uint32_t> previous) {
   tree::MortonOrder order{domain, tree::max_level, {}, {}};
-  const CodesOf codes_of = [&](std::size_t first, std::span<Key> keys) {
+  const CodesOf codes_of = [&](std::size_t first, std::span<MortonKey> keys) {
     encode_some(points, domain, previous, first, keys);
   };
   // so few are sorted at once

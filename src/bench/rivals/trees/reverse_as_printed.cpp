@@ -8,23 +8,23 @@
 namespace vortree::bench {
 namespace {
 
-using tree::Key;
+using tree::MortonKey;
 
 // An occupied cell of the level at hand; key within the level.
 struct Occupied {
-  Key key;
+  MortonKey key;
   std::uint32_t first, count;
 };
 
-struct Found {
+struct FoundLeaf {
   std::uint32_t first;
   int level;
 };
 
-std::vector<Occupied> occupied(std::span<const Key> keys, int level) {
+std::vector<Occupied> occupied(std::span<const MortonKey> keys, int level) {
   std::vector<Occupied> cells;
   for (std::uint32_t j = 0; j < keys.size(); ++j) {
-    const Key key = tree::ancestor(keys[j], level);
+    const MortonKey key = tree::ancestor(keys[j], level);
     if (cells.empty() || cells.back().key != key) cells.push_back({key, j, 0});
     ++cells.back().count;
   }
@@ -34,10 +34,10 @@ std::vector<Occupied> occupied(std::span<const Key> keys, int level) {
 // Families come one after the other; the parents take the place of the cells. A cell that already
 // had to split holds more than n_ctrl particles, and so does every cell around it.
 void merge_families(std::vector<Occupied>& cells, int level, std::uint32_t n_ctrl, bool finest,
-                    std::vector<Found>& childless) {
+                    std::vector<FoundLeaf>& childless) {
   std::size_t parents = 0;
   for (std::size_t k = 0, last = 0; k < cells.size(); k = last) {
-    const Key parent = cells[k].key >> 2;
+    const MortonKey parent = cells[k].key >> 2;
     std::uint32_t total = 0;
     for (last = k; last < cells.size() && cells[last].key >> 2 == parent; ++last) {
       total += cells[last].count;
@@ -58,15 +58,15 @@ void merge_families(std::vector<Occupied>& cells, int level, std::uint32_t n_ctr
 
 tree::Quadtree reverse_as_printed(tree::MortonOrder order, std::uint32_t n_ctrl, int start) {
   std::vector<Occupied> cells = occupied(order.keys, start);
-  std::vector<Found> childless;
+  std::vector<FoundLeaf> childless;
   for (int level = start; level > 0; --level) {
     merge_families(cells, level, n_ctrl, level == order.finest, childless);
   }
   // The root, if everything merged.
   if (!cells.empty() && (cells[0].count <= n_ctrl || start == 0)) childless.push_back({0, 0});
-  std::ranges::sort(childless, {}, &Found::first);
+  std::ranges::sort(childless, {}, &FoundLeaf::first);
   tree::LeavesByPiece leaves(1);
-  for (const Found& found : childless) {
+  for (const FoundLeaf& found : childless) {
     leaves[0].push_back({found.first,
                          static_cast<std::int16_t>(tree::meeting_level(order.keys, found.first)),
                          static_cast<std::int16_t>(found.level)});

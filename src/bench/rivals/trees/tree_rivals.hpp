@@ -1,18 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
-#include <string_view>
 
+#include "tree/base/phase.hpp"
 #include "tree/build/quadtree.hpp"
 
 /// Ways to a tree that lose, or that the literature knows: what the builders of tree/ are held
 /// against. All end in the tree that those build.
 namespace vortree::bench {
-
-/// Told the name of each part of the work as it begins.
-using TreePhase = std::function<void(std::string_view)>;
 
 /// From root to leaf without sorting first: level by level, the particles of every crowded cell are
 /// moved to its four quarters. As the quadtree scheme does that the reverse one is meant to better.
@@ -22,7 +18,7 @@ using TreePhase = std::function<void(std::string_view)>;
 ///          inside a childless cell, which a sum does not need, but equal trees do
 /// threads  share the cells of a level
 [[nodiscard]] tree::Quadtree forward_by_partition(tree::Points points, const tree::Domain& domain,
-                                                  std::uint32_t n_ctrl, const TreePhase& phase);
+                                                  std::uint32_t n_ctrl, const tree::Phase& phase);
 
 /// From leaf to root as printed: at every level, from `start` up to the root, families of four are
 /// looked at that come one after the other among the occupied cells, and are merged if they hold no

@@ -35,14 +35,14 @@ double common_core(std::span<const double> sigma) {
   return least;
 }
 
-struct Box {
+struct GridBox {
   double x0, x1, y0, y1;
   [[nodiscard]] double width() const { return x1 - x0; }
   [[nodiscard]] double height() const { return y1 - y0; }
 };
 
-Box around(const fmm::Blobs& blobs, const fmm::Targets& targets) {
-  Box box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+GridBox around(const fmm::Sources& blobs, const fmm::Targets& targets) {
+  GridBox box{INFINITY, -INFINITY, INFINITY, -INFINITY};
   const auto take = [&](std::span<const double> x, std::span<const double> y) {
     for (const double value : x) box.x0 = std::min(box.x0, value), box.x1 = std::max(box.x1, value);
     for (const double value : y) box.y0 = std::min(box.y0, value), box.y1 = std::max(box.y1, value);
@@ -79,9 +79,9 @@ Resolution resolution(double sigma, double tolerance, double finer) {
           .width = width};
 }
 
-struct Layout {
+struct GridLayout {
   Resolution resolution;
-  Lattice lattice;
+  SpreadingLattice lattice;
   Convolution::Size size;
   double reach;  // in spacings
 
@@ -99,8 +99,8 @@ double period(double length, double reach, const Resolution& of) {
   return std::max(lines(length, of), std::ceil(length / of.spacing + reach));
 }
 
-Layout lay_out(const Box& box, double sigma, double tolerance, const Resolution& of,
-               double most_bytes) {
+GridLayout lay_out(const GridBox& box, double sigma, double tolerance, const Resolution& of,
+                   double most_bytes) {
   const double tail = sigma * std::sqrt(std::log(1.0 / tolerance));
   const double reach = (std::hypot(box.width(), box.height()) + tail) / of.spacing;
   const double felt = reach + tail / of.spacing;
@@ -110,7 +110,7 @@ Layout lay_out(const Box& box, double sigma, double tolerance, const Resolution&
     throw std::invalid_argument("the grid would need " + written(px) + " x " + written(py) +
                                 " lines to resolve cores of " + written(sigma) +
                                 "; it is for cores that fill their space");
-  Layout layout{.resolution = of, .lattice = {}, .size = {}, .reach = reach};
+  GridLayout layout{.resolution = of, .lattice = {}, .size = {}, .reach = reach};
   layout.size = {static_cast<int>(nx), static_cast<int>(ny), smooth_length(static_cast<int>(px)),
                  smooth_length(static_cast<int>(py))};
   const double margin = (0.5 * of.width + 0.5) * of.spacing;
@@ -119,21 +119,22 @@ Layout lay_out(const Box& box, double sigma, double tolerance, const Resolution&
 }
 
 // Nanoseconds, about: of the windows of a blob and of a target, and of the transforms.
-double cost(const Layout& layout, double points) {
+double cost(const GridLayout& layout, double points) {
   const double width = layout.resolution.width;
   const double windows = width <= Window::lanes ? 20.0 + 2.0 * width : 10.0 * width - 20.0;
   return 0.5 * points * windows + 7.0 * layout.size.px * static_cast<double>(layout.size.py);
 }
 
-Layout best_layout(const Box& box, double sigma, double points, const GridOptions& options) {
+GridLayout best_layout(const GridBox& box, double sigma, double points,
+                       const GridOptions& options) {
   const double tolerance = std::max(options.tolerance, least_tolerance);
   const auto most = static_cast<double>(options.most_bytes);
-  std::optional<Layout> best;
+  std::optional<GridLayout> best;
   for (const double finer : {1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.8, 2.0, 2.5, 3.0}) {
     const Resolution of = resolution(sigma, tolerance, finer);
     if (of.width > Window::most_width) continue;
     if (best && best->bytes() * finer * finer > most) break;
-    const Layout other = lay_out(box, sigma, tolerance, of, most);
+    const GridLayout other = lay_out(box, sigma, tolerance, of, most);
     if (!best || cost(other, points) < cost(*best, points)) best = other;
   }
   return *best;
@@ -149,7 +150,7 @@ std::vector<double> factors(int period, double sigma, const Window& window) {
   return made;
 }
 
-void check(const fmm::Blobs& blobs, const fmm::Targets& targets, const GridOptions& options,
+void check(const fmm::Sources& blobs, const fmm::Targets& targets, const GridOptions& options,
            std::span<const double> u, std::span<const double> v) {
   fmm::check(blobs);
   fmm::check(targets);
@@ -159,16 +160,16 @@ void check(const fmm::Blobs& blobs, const fmm::Targets& targets, const GridOptio
                                 "; it must be in (0, 1)");
 }
 
-bool same(const fmm::Blobs& blobs, const fmm::Targets& targets) {
+bool same(const fmm::Sources& blobs, const fmm::Targets& targets) {
   return targets.x.data() == blobs.x.data() && targets.y.data() == blobs.y.data() &&
          targets.size() == blobs.size();
 }
 
 }  // namespace
 
-GridWork velocity_grid(const fmm::Blobs& blobs, const fmm::Targets& targets,
+GridWork velocity_grid(const fmm::Sources& blobs, const fmm::Targets& targets,
                        const GridOptions& options, std::span<double> u, std::span<double> v,
-                       const std::function<void(std::string_view)>& phase) {
+                       const tree::Phase& phase) {
   const auto begin = [&phase](std::string_view name) {
     if (phase) phase(name);
   };
@@ -182,7 +183,7 @@ GridWork velocity_grid(const fmm::Blobs& blobs, const fmm::Targets& targets,
   const double sigma = common_core(blobs.sigma);
   if (sigma == 0.0) throw std::invalid_argument("the grid cannot sum bare vortices, only blobs");
   const auto points = static_cast<double>(blobs.size() + targets.size());
-  const Layout layout = best_layout(around(blobs, targets), sigma, points, options);
+  const GridLayout layout = best_layout(around(blobs, targets), sigma, points, options);
   const Resolution& of = layout.resolution;
   const Window window(of.width, of.shape, of.accuracy);
   const double core = sigma / of.spacing;

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
-#include <string_view>
 
-#include "fmm/blobs.hpp"
+#include "fmm/sources.hpp"
+#include "tree/base/phase.hpp"
 
 namespace vortree::bench {
 
@@ -48,8 +47,8 @@ struct GridWork {
 /// source   Potts & Steidl, SIAM J. Sci. Comput. 24 (2003); Vico, Greengard & Ferrando,
 ///          J. Comput. Phys. 323 (2016); af Klinteberg, Shamshirgar & Tornberg, Res. Math. Sci. 4
 ///          (2017)
-GridWork velocity_grid(const fmm::Blobs& blobs, const fmm::Targets& targets,
+GridWork velocity_grid(const fmm::Sources& blobs, const fmm::Targets& targets,
                        const GridOptions& options, std::span<double> u, std::span<double> v,
-                       const std::function<void(std::string_view)>& phase = {});
+                       const tree::Phase& phase = {});
 
 }  // namespace vortree::bench

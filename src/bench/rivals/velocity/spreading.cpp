@@ -109,20 +109,20 @@ void gather_all(const Visitors& at, const Window& window, std::size_t stride, co
 
 }  // namespace
 
-Visitors visitors(const tree::Points& points, const Lattice& lattice, int width) {
+Visitors visitors(const tree::Points& points, const SpreadingLattice& lattice, int width) {
   const std::size_t n = points.x.size();
   const double inverse = 1.0 / lattice.spacing;
   const auto place = [&](double value, double origin) { return (value - origin) * inverse; };
   Visitors made;
-  std::vector<tree::Key> keys(n);
+  std::vector<tree::MortonKey> keys(n);
   made.index.resize(n);
   made.x.resize(n);
   made.y.resize(n);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < n; ++i) {
     const double x = place(points.x[i], lattice.x0), y = place(points.y[i], lattice.y0);
-    const auto first_y = static_cast<tree::Key>(std::ceil(y - 0.5 * width));
-    keys[i] = first_y / strip_rows * lattice.nx + static_cast<tree::Key>(x);
+    const auto first_y = static_cast<tree::MortonKey>(std::ceil(y - 0.5 * width));
+    keys[i] = first_y / strip_rows * lattice.nx + static_cast<tree::MortonKey>(x);
     made.index[i] = static_cast<std::uint32_t>(i);
   }
   tree::radix_sort(keys, made.index);
@@ -131,13 +131,13 @@ Visitors visitors(const tree::Points& points, const Lattice& lattice, int width)
     made.x[j] = place(points.x[made.index[j]], lattice.x0);
     made.y[j] = place(points.y[made.index[j]], lattice.y0);
   }
-  for (tree::Key s = 0; s <= static_cast<tree::Key>(lattice.ny / strip_rows) + 1; ++s)
+  for (tree::MortonKey s = 0; s <= static_cast<tree::MortonKey>(lattice.ny / strip_rows) + 1; ++s)
     made.strips.push_back(std::ranges::lower_bound(keys, s * lattice.nx) - keys.begin());
   return made;
 }
 
 void spread(const Visitors& from, std::span<const double> gamma, const Window& window,
-            const Lattice& lattice, std::span<double> grid) {
+            const SpreadingLattice& lattice, std::span<double> grid) {
 #pragma omp parallel for schedule(static)
   for (std::size_t m = 0; m < grid.size(); ++m) grid[m] = 0.0;
   const auto run = [&]<int vectors>() {
@@ -146,7 +146,7 @@ void spread(const Visitors& from, std::span<const double> gamma, const Window& w
   with_vectors(window.vectors(), run);
 }
 
-void gather(const Visitors& at, const Window& window, const Lattice& lattice,
+void gather(const Visitors& at, const Window& window, const SpreadingLattice& lattice,
             std::span<const double> grid_u, std::span<const double> grid_v, std::span<double> u,
             std::span<double> v) {
   const auto run = [&]<int vectors>() {

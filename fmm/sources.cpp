@@ -1,4 +1,4 @@
-#include "fmm/blobs.hpp"
+#include "fmm/sources.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +66,9 @@ void check_cores(std::span<const double> sigma, std::size_t n) {
   }
 }
 
-void check_distances(const Blobs& blobs, const Units& units) {
+void check_distances(const Sources& sources, const Units& units) {
   const double limit = Units::least_length / units.per_length;
-  const auto near = find_close_pair(blobs.x, blobs.y, limit);
+  const auto near = find_close_pair(sources.x, sources.y, limit);
   if (!near) return;
   throw std::invalid_argument("blobs " + std::to_string(near->first) + " and " +
                               std::to_string(near->second) + " are " + told(near->distance) +
@@ -77,37 +77,37 @@ void check_distances(const Blobs& blobs, const Units& units) {
 }
 
 /// Cores so wide that they count as less wide must not move what others leave alone.
-void check_wide_cores(const Blobs& blobs, const Units& units) {
+void check_wide_cores(const Sources& sources, const Units& units) {
   const double widest = std::sqrt(Units::largest_core) / units.per_length;
-  if (all_within(blobs.sigma, 0.0, widest)) return;
+  if (all_within(sources.sigma, 0.0, widest)) return;
   double weak = 0.0, strong = 0.0;
-  std::size_t first = blobs.size();
-  for (std::size_t i = 0; i < blobs.sigma.size(); ++i) {
-    const double gamma = std::abs(units.circulation(blobs.gamma[i]));
-    if (blobs.sigma[i] > widest) {
+  std::size_t first = sources.size();
+  for (std::size_t i = 0; i < sources.sigma.size(); ++i) {
+    const double gamma = std::abs(units.circulation(sources.gamma[i]));
+    if (sources.sigma[i] > widest) {
       if (gamma > 0.0) first = std::min(first, i), weak += gamma / Units::largest_core;
     } else {
-      strong = std::max(strong, gamma / std::max(1.0, units.squared_core(blobs.sigma[i])));
+      strong = std::max(strong, gamma / std::max(1.0, units.squared_core(sources.sigma[i])));
     }
   }
   if (weak > 0x1p-53 * strong) {
-    refuse("sigma", first, blobs.sigma[first],
+    refuse("sigma", first, sources.sigma[first],
            "at most " + told(widest) + ", 1e60 times the extent of the blobs");
   }
 }
 
 }  // namespace
 
-Units check(const Blobs& blobs) {
-  check_length("y", blobs.y.size(), blobs.size());
-  check_length("gamma", blobs.gamma.size(), blobs.size());
-  check_within("x", blobs.x, tree::largest_coordinate);
-  check_within("y", blobs.y, tree::largest_coordinate);
-  check_within("gamma", blobs.gamma, largest_double);
-  check_cores(blobs.sigma, blobs.size());
-  const Units units = Units::of(blobs);
-  check_distances(blobs, units);
-  check_wide_cores(blobs, units);
+Units check(const Sources& sources) {
+  check_length("y", sources.y.size(), sources.size());
+  check_length("gamma", sources.gamma.size(), sources.size());
+  check_within("x", sources.x, tree::largest_coordinate);
+  check_within("y", sources.y, tree::largest_coordinate);
+  check_within("gamma", sources.gamma, largest_double);
+  check_cores(sources.sigma, sources.size());
+  const Units units = Units::of(sources);
+  check_distances(sources, units);
+  check_wide_cores(sources, units);
   return units;
 }
 

@@ -7,14 +7,14 @@ namespace vortree::fmm {
 
 struct Units;
 
-/// Vortex blobs of Gaussian core, read only.
+/// What is summed: vortex blobs of Gaussian core, read only.
 ///
 ///   omega(x) = gamma/(pi sigma^2) exp(-|x - X|^2 / sigma^2),   gamma > 0 turns anticlockwise
 ///
 /// x, y    n positions [m]
 /// gamma   n circulations [m^2/s]
 /// sigma   n core sizes [m], >= 0; 0 is a bare vortex; empty: all are bare
-struct Blobs {
+struct Sources {
   std::span<const double> x, y, gamma, sigma;
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
@@ -38,7 +38,7 @@ enum class Cores { source, mean };
 ///         1e307, two places nearer than 6e-67 of the extent of all, or a core of more than 1e60
 ///         extents that would count
 /// returns the units of the blobs
-Units check(const Blobs& blobs);
+Units check(const Sources& sources);
 void check(const Targets& targets);
 /// Why gradient and stream function cannot be told of such cores, which they feel each at its own
 /// place: one is not nothing, but less than 6e-67 of the extent, or with `wide` more than 1e60.
