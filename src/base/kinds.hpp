@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <map>
 #include <optional>
 #include <span>
@@ -18,13 +19,15 @@ namespace vortree {
 
 /// A number that a kind has, by the key of that name.
 ///
-/// says    what it is to this kind: "half the long axis"
-/// needed  the kind is refused without it
+/// says       what it is to this kind: "half the long axis"
+/// otherwise  what it is where it is not written; without that the kind is refused
 struct Dimension {
   std::string_view name;
   Rule rule;
   std::string_view unit, says;
-  bool needed = true;
+  std::optional<double> otherwise{};
+
+  bool needed() const { return !otherwise; }
 };
 
 /// The numbers that a table has for its kind; none where nothing is written.
@@ -40,6 +43,23 @@ struct Kind {
 
 using Kinds = std::span<const Kind* const>;
 
+/// Of a list whose kinds are more than that: they as such, and their names.
+template <std::derived_from<Kind> Own>
+[[nodiscard]] std::vector<const Kind*> as_kinds(std::span<const Own* const> all) {
+  return {all.begin(), all.end()};
+}
+[[nodiscard]] std::vector<std::string_view> names_of(Kinds all);
+
+/// A place for one of a list, by its name; the names have to stay where they are.
+template <std::derived_from<Kind> Own>
+[[nodiscard]] OneOf one_of(std::span<const Own* const> all, std::span<const std::string_view> names,
+                           const Own*& kind) {
+  const auto number = [all, &kind] {
+    return std::optional<std::size_t>(std::ranges::find(all, kind) - all.begin());
+  };
+  return {names, number, [all, &kind](std::size_t found) { kind = all[found]; }};
+}
+
 /// A place for the names of all, none of them set yet.
 [[nodiscard]] Dimensions dimensions_of(Kinds all);
 
@@ -47,6 +67,10 @@ using Kinds = std::span<const Kind* const>;
 /// and `set` takes, and one for each number, in the order of the kinds.
 [[nodiscard]] std::vector<Key> keys_of(Kinds all, std::string_view name, std::string says,
                                        OneOf kind, Dimensions& numbers);
+
+/// What is written, or what the kind has otherwise.
+/// throws  std::invalid_argument if there is neither
+[[nodiscard]] double number_of(const Kind& kind, const Dimensions& numbers, std::string_view name);
 
 /// throws  Refused if a number is written that the kind does not have, or lacking that it needs
 void hold_dimensions(const Kind& kind, std::string_view table, std::string_view name,
