@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "body/outline.hpp"
+#include "body/shapes/circle.hpp"
+#include "body/shapes/naca0012.hpp"
 #include "vortex/cylinder_flow.hpp"
 #include "point_sets.hpp"
 
