@@ -128,11 +128,29 @@ class Run:
 
     @property
     def body(self):
-        """(radius, centre) of the body, the radius half of its length; Nothing in free space."""
+        """(radius, centre) of the body, the radius half of its length D; Nothing in free space."""
         if "body" not in self.scene:
             raise Nothing
-        body = self.scene["body"]
-        return body.get("radius", body.get("chord", 0) / 2), np.array(body.get("centre", [0, 0]))
+        length, _ = self._outline
+        return length / 2, np.array(self.scene["body"].get("centre", [0, 0]))
+
+    @property
+    def outline(self):
+        """x and y of the body's closed outline, from its centre."""
+        return self._outline[1]
+
+    @cached_property
+    def _outline(self):
+        path = self.file("outline.csv")
+        table = read_csv(path)
+        mark, _, length = path.read_text().partition("\n")[0].rpartition("=")
+        try:
+            length = float(length)
+        except ValueError:
+            length = 0
+        if mark != "# D " or not length > 0 or table["x"].size < 3:
+            raise Broken(f"{path}: no outline of a body of length D")
+        return length, table
 
     def reference(self, key):
         """The reference file that [check] names, or None: it lies beside the scene file, or, when

@@ -1,7 +1,7 @@
 """What the flow looks like: vorticity, and the streamlines past a body."""
 
 import numpy as np
-from _outline import outline
+from _outline import is_circle, outline
 from _streamlines import streamlines
 from _style import Nothing, figure, main
 from matplotlib.colors import LinearSegmentedColormap, TwoSlopeNorm
@@ -15,7 +15,7 @@ UPPER = LinearSegmentedColormap.from_list("positive", REDS)
 
 def draw(run):
     body = "body" in run.scene
-    circle = body and run.scene["body"].get("shape", "circle") == "circle"
+    circle = body and is_circle(run)
     fields = scaled(run, body)
     paint, most = colours(fields, body)
     boxes = windows(fields, body, 0.02 * most)
@@ -31,7 +31,7 @@ def draw(run):
         if circle and closed:  # closed wakes only
             streamlines(axes, field, run.stream / run.speed)
         if body:
-            axes.add_patch(outline(run.scene["body"]))
+            axes.add_patch(outline(run))
         axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$"
                        + (f",  largest {field['peak']:.3g}" if "peak" in field else ""))
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")

@@ -50,7 +50,7 @@ def show(axes, run, cells, blobs, strong, low, size):
                  vmax=strong, lw=0, zorder=2)
     if "body" in run.scene:
         radius, place = run.body
-        body = outline(run.scene["body"])
+        body = outline(run)
         body.set_transform(Affine2D().scale(radius).translate(*place) + axes.transData)
         axes.add_patch(body)
     axes.set(xlim=(low[0], low[0] + size[0]), ylim=(low[1], low[1] + size[1]), xlabel="$x$",

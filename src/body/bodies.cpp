@@ -1,10 +1,6 @@
 #include "body/bodies.hpp"
 
 #include <cmath>
-#include <numbers>
-
-#include "body/extent.hpp"
-#include "body/outline.hpp"
 
 namespace vortree::body {
 
@@ -17,13 +13,6 @@ Motion motion_of(const std::optional<PlungeSettings>& plunge,
   }
   if (motion) of.spin = {motion->spin};
   return of;
-}
-
-std::unique_ptr<Shape> draw(const BodySettings& body) {
-  const double incidence = body.incidence * std::numbers::pi / 180;
-  if (body.shape == ShapeKind::ellipse) return ellipse({}, *body.radius, *body.across, incidence);
-  if (body.shape == ShapeKind::naca0012) return naca0012({}, *body.chord, edge_of(body), incidence);
-  return circle({}, *body.radius);
 }
 
 }  // namespace vortree::body

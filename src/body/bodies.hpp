@@ -31,7 +31,4 @@ struct Body {
 };
 using Bodies = std::vector<Body>;
 
-/// The shape that settings name, about the origin.
-[[nodiscard]] std::unique_ptr<Shape> draw(const BodySettings&);
-
 }  // namespace vortree::body

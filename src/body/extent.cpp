@@ -2,52 +2,66 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <vector>
+
+#include "body/shapes/shapes.hpp"
 
 namespace vortree::body {
+namespace {
+
+/// Square of the distance from the centre.
+double square(const OutlinePoint& one) {
+  return dot(one.at, one.at);
+}
+
+/// The greatest of values at even steps of a parameter that goes round: the top of the parabola
+/// through the largest one and its neighbors.
+double greatest(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  const std::size_t k = std::ranges::max_element(values) - values.begin();
+  const double top = values[k], before = values[(k + n - 1) % n], after = values[(k + 1) % n];
+  const double bend = 2 * top - before - after, tilt = after - before;
+  return bend > 0 ? top + tilt * tilt / (8 * bend) : top;
+}
+
+}  // namespace
 
 double length_of(const BodySettings& body) {
-  return body.chord.value_or(2 * body.radius.value_or(0));
+  return body.shape->length(body);
 }
 
 double perimeter_of(const BodySettings& body) {
-  if (body.shape == ShapeKind::naca0012) return 2.05 * length_of(body);
-  const double a = *body.radius, b = body.across.value_or(a);
-  // Ramanujan's second formula: within 4e-4 of any ellipse's.
-  const double h = (a - b) * (a - b) / ((a + b) * (a + b));
-  return std::numbers::pi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
+  return outline_of(body)->perimeter();
 }
 
-double edge_of(const BodySettings& body) {
-  return body.edge.value_or(0.005);
-}
-
-double tip_radius(const BodySettings& body) {
-  if (body.shape == ShapeKind::naca0012) return edge_of(body) * length_of(body);
-  const double a = *body.radius, b = body.across.value_or(a);
-  return std::min(a * a / b, b * b / a);
-}
-
-bool covers(const BodySettings& body, const Pair& point) {
-  const double x = point[0] - body.centre[0], y = point[1] - body.centre[1];
-  const double turned = body.incidence * std::numbers::pi / 180;
-  const double along = std::cos(turned) * x - std::sin(turned) * y,
-               across = std::sin(turned) * x + std::cos(turned) * y;
-  const bool foil = body.shape == ShapeKind::naca0012;
-  const double a = foil ? 0.45 * *body.chord : *body.radius,
-               b = foil ? 0.04 * *body.chord : body.across.value_or(a);
-  return std::hypot(along / a, across / b) < 1;
-}
-
-Pair half_extent(const BodySettings& body) {
-  const double turned = body.incidence * std::numbers::pi / 180;
-  const double c = std::abs(std::cos(turned)), s = std::abs(std::sin(turned));
-  if (body.shape == ShapeKind::naca0012) {
-    const double along = 0.5 * *body.chord, across = 0.065 * *body.chord;
-    return {c * along + s * across, s * along + c * across};
+Tip tip_of(const BodySettings& body) {
+  const std::vector<OutlinePoint> all = outline_of(body)->trace();
+  OutlinePoint tip{};
+  for (std::size_t i = 0, n = all.size(); i < n; ++i) {
+    const double here = square(all[i]);
+    const bool farther = here >= square(all[(i + n - 1) % n]) && here >= square(all[(i + 1) % n]);
+    if (farther && all[i].curvature > tip.curvature) tip = all[i];
   }
-  const double along = *body.radius, across = body.across.value_or(along);
-  return {std::hypot(c * along, s * across), std::hypot(s * along, c * across)};
+  return {tip.at, 1 / tip.curvature};
+}
+
+bool round(const BodySettings& body) {
+  const std::vector<OutlinePoint> all = outline_of(body)->trace();
+  const auto [nearest, farthest] = std::ranges::minmax_element(all, {}, square);
+  return square(*farthest) - square(*nearest) < 1e-9 * square(*farthest);
+}
+
+std::array<double, 2> half_extent(const BodySettings& body) {
+  std::vector<double> x, y;
+  for (const OutlinePoint& one : outline_of(body)->trace()) {
+    x.push_back(std::abs(one.at.x));
+    y.push_back(std::abs(one.at.y));
+  }
+  return {greatest(x), greatest(y)};
+}
+
+bool covers(const BodySettings& body, const std::array<double, 2>& point) {
+  return outline_of(body)->distance({point[0] - body.centre[0], point[1] - body.centre[1]}) < 0;
 }
 
 }  // namespace vortree::body

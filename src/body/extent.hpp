@@ -1,27 +1,47 @@
 #pragma once
 
+#include <array>
+
+#include "base/vec2.hpp"
 #include "body/settings.hpp"
+
+// What scenes ask of a body's size and form. All follows from its outline, which each function
+// draws anew; no function knows a shape.
+//
+// cost    0.1 to 0.2 ms each, mostly for drawing
 
 namespace vortree::body {
 
-/// The size of a body that coefficients and the Reynolds number go by: twice its radius, or its
-/// chord.
-[[nodiscard]] double length_of(const BodySettings&);
+/// The size D that coefficients and the Reynolds number go by [L]: the shape's own.
+[[nodiscard]] double length_of(const BodySettings& body);
 
-/// Its perimeter, to 1 % (an ellipse's: 4e-4).
-[[nodiscard]] double perimeter_of(const BodySettings&);
+/// Length of the outline [L]; that of an ellipse of 50 : 1 to 1e-10.
+[[nodiscard]] double perimeter_of(const BodySettings& body);
 
-/// The radius of NACA 0012's trailing edge, as a share of the chord.
-[[nodiscard]] double edge_of(const BodySettings&);
+/// The sharpest end of a body.
+///
+/// place   as seen from the body's centre: its size is the distance, its direction the way there
+/// radius  of the curvature there: R of a circle; b^2/a of an ellipse, b < a; the edge of a foil
+struct Tip {
+  Vec2 place;
+  double radius;
+};
 
-/// The smallest radius of a body's curvature: across^2/radius at the tips of an ellipse, the
-/// trailing edge of a foil.
-[[nodiscard]] double tip_radius(const BodySettings&);
+/// Of the ends of a body, the places of its outline that are farther from its centre than those
+/// beside them, the one where it bends most. The shoulders of a foil's rounded edge bend up to half
+/// as much again; they are no ends, and laws of tips are measured by the radius of the edge itself.
+/// error   none where the tip is among the places of Shape::trace, as those of ellipses and of the
+///         foil are
+[[nodiscard]] Tip tip_of(const BodySettings& body);
 
-/// Half the sides of the rectangle, along the axes, that a body just fills, or a little more.
-[[nodiscard]] Pair half_extent(const BodySettings&);
+/// A circle about its centre, of whatever shape: it has no tip, and can turn in its place.
+[[nodiscard]] bool round(const BodySettings& body);
 
-/// Whether a point lies within a body; for a foil, in the thick of it.
-[[nodiscard]] bool covers(const BodySettings&, const Pair& point);
+/// Half the sides of the rectangle about its centre, along the axes of the scene, that the body just
+/// fills, to 1e-7 of its length.
+[[nodiscard]] std::array<double, 2> half_extent(const BodySettings& body);
+
+/// Whether a point of the scene lies within the body.
+[[nodiscard]] bool covers(const BodySettings& body, const std::array<double, 2>& point);
 
 }  // namespace vortree::body

@@ -4,10 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
-
-#include "tree/base/told.hpp"
 
 namespace vortree::body {
 namespace {
@@ -16,6 +12,12 @@ constexpr double turn = 2 * std::numbers::pi;
 
 double length(Vec2 a) {
   return std::sqrt(dot(a, a));
+}
+
+/// 1/m; positive where an anticlockwise curve is convex.
+double curvature(const CurvePoint& c) {
+  const double speed = length(c.first);
+  return (c.first.x * c.second.y - c.first.y * c.second.x) / (speed * speed * speed);
 }
 
 class Outline final : public Shape {
@@ -54,13 +56,10 @@ class Outline final : public Shape {
 
   WallPoint nearest(Vec2 at) const override {
     const auto [t, c] = foot(at);
-    const double speed = length(c.first);
-    const Vec2 tangent = (1 / speed) * c.first, normal{tangent.y, -tangent.x};
-    const double curvature =
-        (c.first.x * c.second.y - c.first.y * c.second.x) / (speed * speed * speed);
+    const Vec2 tangent = (1 / length(c.first)) * c.first, normal{tangent.y, -tangent.x};
     const double round = t - turn * std::floor(t / turn);
     const int i = static_cast<int>(std::min(pieces - 1.0, round / turn * pieces));
-    return {arc_[i] + arc_from(i, round), dot(at - c.at, normal), normal, curvature};
+    return {arc_[i] + arc_from(i, round), dot(at - c.at, normal), normal, curvature(c)};
   }
 
   double distance(Vec2 at) const override {
@@ -71,6 +70,12 @@ class Outline final : public Shape {
 
   bool beyond(Vec2 at, double d) const override {
     return at.x < low_.x - d || at.x > high_.x + d || at.y < low_.y - d || at.y > high_.y + d;
+  }
+
+  std::vector<OutlinePoint> trace() const override {
+    std::vector<OutlinePoint> all;
+    for (const CurvePoint& c : place_) all.push_back({c.at, curvature(c)});
+    return all;
   }
 
  private:
@@ -146,92 +151,10 @@ class Outline final : public Shape {
   Vec2 low_, high_;  // a box around the curve
 };
 
-void require_positive(double value, const char* what) {
-  if (!(value > 0 && std::isfinite(value)))
-    throw std::invalid_argument(std::string(what) + " is " + tree::told(value) + "; must be > 0");
-}
-
-/// Turned clockwise by an angle, then moved.
-class Placement {
- public:
-  Placement(Vec2 centre, double incidence)
-      : centre_(centre), c_(std::cos(incidence)), s_(std::sin(incidence)) {}
-
-  CurvePoint operator()(const CurvePoint& p) const {
-    return {centre_ + turned(p.at), turned(p.first), turned(p.second)};
-  }
-
- private:
-  Vec2 turned(Vec2 a) const { return {c_ * a.x + s_ * a.y, -s_ * a.x + c_ * a.y}; }
-
-  Vec2 centre_;
-  double c_, s_;
-};
-
-/// A function of one variable and its first two derivatives.
-struct Jet {
-  double value, first, second;
-
-  friend Jet operator*(const Jet& a, const Jet& b) {
-    return {a.value * b.value, a.first * b.value + a.value * b.first,
-            a.second * b.value + 2 * a.first * b.first + a.value * b.second};
-  }
-};
-
-/// Half the thickness of the section by r = sqrt(x), not yet rounded.
-Jet half_thickness(double r, double edge) {
-  const std::array<double, 9> c{
-      0, 0.6 * 0.2969, -0.6 * 0.1260, 0, -0.6 * 0.3516, 0, 0.6 * 0.2843, 0, edge - 0.6 * 0.1036};
-  Jet sum{};
-  for (int k = 8; k >= 0; --k) {
-    sum.second = sum.second * r + 2 * sum.first;
-    sum.first = sum.first * r + sum.value;
-    sum.value = sum.value * r + c[k];
-  }
-  return sum;
-}
-
-/// sqrt((1 - x)/(1 - x + k)) by s = sqrt(1 - x), odd in s.
-Jet rounding(double s, double k) {
-  const double root = std::sqrt(s * s + k), cube = root * root * root;
-  return {s / root, k / cube, -3 * k * s / (cube * root * root)};
-}
-
-/// f(g(t)).
-Jet composed(const Jet& f, const Jet& g) {
-  return {f.value, f.first * g.first, f.second * g.first * g.first + f.first * g.second};
-}
-
 }  // namespace
 
 std::unique_ptr<Shape> outline(Curve curve) {
   return std::make_unique<Outline>(std::move(curve));
-}
-
-std::unique_ptr<Shape> ellipse(Vec2 centre, double a, double b, double incidence) {
-  require_positive(a, "half axis of the ellipse");
-  require_positive(b, "half axis of the ellipse");
-  return outline([=, place = Placement(centre, incidence)](double t) {
-    const double c = std::cos(t), s = std::sin(t);
-    return place({{a * c, b * s}, {-a * s, b * c}, {-a * c, -b * s}});
-  });
-}
-
-std::unique_ptr<Shape> naca0012(Vec2 centre, double chord, double edge, double incidence) {
-  require_positive(chord, "chord");
-  if (!(edge >= 1e-4 && edge <= 0.02))
-    throw std::invalid_argument("trailing edge of radius " + tree::told(edge) +
-                                " of the chord; must be in 1e-4 .. 0.02");
-  return outline([=, place = Placement(centre, incidence)](double t) {
-    // r = sqrt(x) is the size of cos(t/2), and goes from the upper to the lower side with its sign.
-    const double c = std::cos(t / 2), s = std::sin(t / 2), side = c < 0 ? -1 : 1;
-    const Jet r{side * c, -side * s / 2, -side * c / 4}, root{s, c / 2, -s / 4};
-    const Jet x = r * r;
-    const Jet y =
-        composed(half_thickness(r.value, edge), r) * composed(rounding(s, edge / 2), root);
-    return place({chord * Vec2{x.value - 0.5, side * y.value},
-                  chord * Vec2{x.first, side * y.first}, chord * Vec2{x.second, side * y.second}});
-  });
 }
 
 }  // namespace vortree::body

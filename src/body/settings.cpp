@@ -1,24 +1,44 @@
 #include "body/settings.hpp"
 
+#include <numbers>
+
+#include "body/shapes/shapes.hpp"
+
 namespace vortree::body {
 
+const ShapeKind* first_shape() {
+  return shape_kinds().front();
+}
+
+Dimensions numbers_of_shapes() {
+  return dimensions_of(as_kinds(shape_kinds()));
+}
+
+double BodySettings::number(std::string_view name) const {
+  return number_of(*shape, numbers, name);
+}
+
+double BodySettings::turn() const {
+  return incidence * std::numbers::pi / 180;
+}
+
+void refuse(const BodySettings& body) {
+  hold_dimensions(*body.shape, "body", "shape", body.numbers);
+}
+
 std::vector<Key> keys(BodySettings& body) {
-  return {
-      key("shape", body.shape, "outline of the body"),
-      key("radius", body.radius, positive, "L",
-          "radius of a circle, half the long axis of an ellipse: both need it"),
-      key("across", body.across, positive, "L",
-          "half the other axis of an ellipse, which needs it"),
-      key("chord", body.chord, positive, "L", "length of the section naca0012, which needs it"),
-      key("edge", body.edge, {.low = 1e-4, .high = 0.02, .words = "it must lie in 1e-4 .. 0.02"},
-          "chord", "radius of the trailing edge of naca0012, 0.005 if not written"),
-      key("incidence", body.incidence,
-          {.low = -180, .high = 180, .words = "it must lie in -180 .. 180 degrees"}, "degrees",
-          "by how much the long axis or the chord is turned clockwise from x"),
-      key("centre", body.centre, anything, "L",
-          "place [x, y] of the centre; of naca0012, of the middle of its chord"),
-      key("panels", body.panels, {.low = 8, .words = "a body needs at least 8 panels"}, "",
-          "wall elements around the body")};
+  std::vector<Key> all = keys_of(as_kinds(shape_kinds()), "shape", "outline of the body",
+                                 one_of(shape_kinds(), body.shape), body.numbers);
+  for (Key one :
+       {key("incidence", body.incidence,
+            {.low = -180, .high = 180, .words = "it must lie in -180 .. 180 degrees"}, "degrees",
+            "by how much the long axis or the chord is turned clockwise from x"),
+        key("centre", body.centre, anything, "L",
+            "place [x, y] of the centre; of a foil, of the middle of its chord"),
+        key("panels", body.panels, {.low = 8, .words = "a body needs at least 8 panels"}, "",
+            "wall elements around the body")})
+    all.push_back(std::move(one));
+  return all;
 }
 
 std::vector<Key> keys(PlungeSettings& plunge) {

@@ -1,44 +1,43 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "base/keys.hpp"
+#include "base/kinds.hpp"
 
 // The tables [body], [plunge] and [motion] of a scene.
 
 namespace vortree::body {
 
-/// The outlines that a scene can name.
-enum class ShapeKind { circle, ellipse, naca0012 };
+struct ShapeKind;
 
-}  // namespace vortree::body
+/// What the first of the shapes is, and the numbers of all, none of them set yet.
+[[nodiscard]] const ShapeKind* first_shape();
+[[nodiscard]] Dimensions numbers_of_shapes();
 
-namespace vortree {
-
-template <>
-inline constexpr std::array<std::string_view, 3> words_of<body::ShapeKind>{"circle", "ellipse",
-                                                                           "naca0012"};
-
-}  // namespace vortree
-
-namespace vortree::body {
-
-/// A body with `panels` wall elements; the scene has none in free space. An ellipse has the half
-/// axes radius and across; NACA 0012 a chord, about whose middle it is centred, and a trailing edge
-/// rounded with the radius edge times chord (0.005 if not written; body/outline.hpp). Long axis
-/// and chord are turned clockwise by `incidence` degrees from x. Twice the radius, or the chord, is
-/// the length that coefficients and the Reynolds number go by.
+/// A body of some shape (body/shapes/shapes.hpp) with `panels` wall elements; the scene has none in
+/// free space. The numbers are those of its shape, by name, as in "radius". It is turned clockwise by
+/// `incidence` degrees about its centre.
 struct BodySettings {
-  ShapeKind shape = ShapeKind::circle;
-  std::optional<double> radius{}, across{}, chord{}, edge{};
+  const ShapeKind* shape = first_shape();
+  Dimensions numbers = numbers_of_shapes();
   double incidence = 0;
   std::array<double, 2> centre{0, 0};
   int panels = 520;
   bool operator==(const BodySettings&) const = default;
+
+  /// One of the numbers, or what the shape has where it is not written.
+  /// throws  std::invalid_argument if there is neither
+  double number(std::string_view name) const;
+
+  /// The incidence in radians.
+  double turn() const;
 };
+
+/// throws  Refused if a number is written that the shape does not have, or lacking that it needs
+void refuse(const BodySettings&);
 
 /// The body moves without turning: X(t) = amplitude cos(2 pi frequency t) along a direction. All
 /// positions and velocities that a run writes are those in the frame of the body

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "base/vec2.hpp"
 
@@ -20,6 +20,12 @@ struct WallPoint {
   Vec2 tangent() const { return {-normal.y, normal.x}; }
 };
 
+/// A place on an outline and how it bends there, as in WallPoint.
+struct OutlinePoint {
+  Vec2 at;
+  double curvature;
+};
+
 /// A closed curve without double points: all that the wall knows of a body.
 class Shape {
  public:
@@ -32,8 +38,9 @@ class Shape {
   /// True only outside the body and farther than d from the wall; false there, too, if that would
   /// take more than a few operations to find out. Most blobs of a wake need nothing else.
   virtual bool beyond(Vec2 /*at*/, double /*d*/) const { return false; }
+  /// 512 places one after another from the first point on, at even steps of the arc, or of a
+  /// parameter that has them closer where the curve bends
+  virtual std::vector<OutlinePoint> trace() const;
 };
-
-std::unique_ptr<Shape> circle(Vec2 centre, double radius);
 
 }  // namespace vortree::body

@@ -52,7 +52,7 @@ Reached early_drag_off(const Finished& run) {
   constexpr double end = 0.1 + 1e-9;
   const Series &T = run.rows.T(), drag = run.rows.column("cd_impulse");
   if (T.empty() || T.back() < 0.1 - 1e-9) return run.rows.too_short();
-  const double reynolds = run.scales.speed * *run.scene.body->radius / run.scene.flow.nu;
+  const double reynolds = run.scales.speed * (run.scales.length / 2) / run.scene.flow.nu;
   double ours = 0, exact = 0;
   for (std::size_t r = 0; r < T.size() && T[r] < end; ++r)
     ours += drag[r], exact += exact::short_time_cylinder_drag(reynolds, T[r]);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/extent.hpp"
 #include "exact/spinning_cylinder.hpp"
 
 namespace vortree::checks {
@@ -12,7 +13,8 @@ void check_spin(std::vector<Verdict>& list, const Finished& run) {
   const io::CheckSettings& c = scene.check;
   if (c.exact != io::ExactAnswer::spinning_cylinder) return;
   constexpr int rays = 7, places = 60;
-  const exact::SpinningCylinder cylinder{scene.motion->spin, *scene.body->radius, scene.flow.nu};
+  const exact::SpinningCylinder cylinder{scene.motion->spin, body::length_of(*scene.body) / 2,
+                                         scene.flow.nu};
   const double t = run.solver.time(), layer = std::sqrt(cylinder.nu * t);
   const auto [x0, y0] = scene.body->centre;
   Series x, y, swirl, vorticity;

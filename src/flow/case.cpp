@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "body/extent.hpp"
+#include "body/shapes/shapes.hpp"
 #include "flow/steps.hpp"
 
 namespace vortree::flow {
@@ -48,28 +49,11 @@ void refuse_plunge(const Case& of) {
 
 void refuse_motion(const Case& of) {
   if (!of.body) throw Refused("motion", "[motion] is how a body moves; there is no [body]");
-  if (of.body->shape != body::ShapeKind::circle)
+  if (!body::round(*of.body))
     throw Refused("motion.spin",
                   fmt::format("motion.spin is {}; only a circle can turn in its place, body.shape "
                               "is \"{}\"",
-                              of.motion->spin, word(of.body->shape)));
-}
-
-/// The keys that a shape has.
-void refuse_body(const body::BodySettings& body) {
-  const auto belongs = [&](const char* key, const std::optional<double>& value, bool known,
-                           bool needed) {
-    if (value ? !known : needed)
-      throw Refused(value ? fmt::format("body.{}", key) : "body",
-                    fmt::format("body.shape is \"{}\"; that {} the key body.{}", word(body.shape),
-                                value ? "does not have" : "needs", key));
-  };
-  const bool foil = body.shape == body::ShapeKind::naca0012,
-             ellipse = body.shape == body::ShapeKind::ellipse;
-  belongs("radius", body.radius, !foil, !foil);
-  belongs("across", body.across, ellipse, ellipse);
-  belongs("chord", body.chord, foil, foil);
-  belongs("edge", body.edge, foil, false);
+                              of.motion->spin, of.body->shape->name));
 }
 
 void refuse_window(const OutputSettings& output) {
@@ -129,7 +113,7 @@ void complete_times(Case& of) {
 }
 
 void refuse_senseless(const Case& of) {
-  if (of.body) refuse_body(*of.body);
+  if (of.body) body::refuse(*of.body);
   if (of.plunge) refuse_plunge(of);
   if (of.motion) refuse_motion(of);
   if (of.initial) refuse(*of.initial);
@@ -142,7 +126,8 @@ void refuse_senseless(const Case& of) {
 body::Bodies bodies_of(const Case& of) {
   if (!of.body) return {};
   const auto [x, y] = of.body->centre;
-  return {{body::draw(*of.body), {x, y}, body::motion_of(of.plunge, of.motion), of.body->panels}};
+  return {
+      {body::outline_of(*of.body), {x, y}, body::motion_of(of.plunge, of.motion), of.body->panels}};
 }
 
 double speed_of_stream(const Case& of) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/shapes/circle.hpp"
+#include "body/shapes/ellipse.hpp"
 #include "vortex/flows.hpp"
 #include "vortex/wall/wall.hpp"
 

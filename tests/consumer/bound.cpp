@@ -1,4 +1,5 @@
 #include <vector>
+#include <vortree/body/shapes/circle.hpp>
 #include <vortree/vortex/wall/wall.hpp>
 
 /// The sheet of the bare stream past a circle is -2 sin theta; its first moment is -2 pi R^2.

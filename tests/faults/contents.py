@@ -63,7 +63,7 @@ def contents(folder):
     if (folder / "fields.h5").exists():
         with h5py.File(folder / "fields.h5") as file:
             found["fields.h5"] = datasets(file)
-    for page in ("frames.xdmf", "fields.xdmf"):
+    for page in ("frames.xdmf", "fields.xdmf", "outline.csv"):
         if (folder / page).exists():
             found[page] = (folder / page).read_text()
     found["summary.json"] = summary_of(folder)

@@ -93,8 +93,10 @@ def damaged_tables(bench, count, random):
 
 def lost_files(bench, count, random):
     for scene in bench.scenes:
-        for name in ("report.csv", TABLES[scene], "frames.xdmf", "summary.json", "fields.h5",
-                     "fields.xdmf"):
+        derived = ["frames.xdmf", "fields.xdmf", "summary.json"]
+        if "outline.csv" in bench.whole[scene]["files"]:
+            derived.append("outline.csv")
+        for name in ("report.csv", TABLES[scene], "fields.h5", *derived):
 
             def act(scene=scene, name=name):
                 folder = bench.copy(scene)
@@ -103,8 +105,7 @@ def lost_files(bench, count, random):
                 require_clean(end)
                 assert end.code == 0, end
                 said = len(end.err.splitlines()) > 1
-                derived = name in ("frames.xdmf", "fields.xdmf", "summary.json")
-                assert said or derived, "not a word"
+                assert said or name in derived, "not a word"
                 require_same(bench, scene, folder, ("fields.h5", "fields.xdmf", "files")
                              if name == "fields.h5" else ())
                 return "made again" if name != "fields.h5" else "told of, the rest the same"

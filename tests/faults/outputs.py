@@ -86,7 +86,7 @@ def odd_outputs(bench, count, random):
             yield Trial("odd outputs", f"{command} to a {name}", act)
     for scene in bench.scenes:
         for file in ("frames.h5", "frames.xdmf", "fields.h5", "fields.xdmf", "report.csv",
-                     TABLES[scene], "summary.json"):
+                     TABLES[scene], "outline.csv", "summary.json"):
             for name, make in makers.items():
                 if "input" in name:
                     continue

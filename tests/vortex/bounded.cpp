@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/shapes/circle.hpp"
 #include "checks/periodogram.hpp"
 #include "flows.hpp"
 #include "vortex/adapt/merge_close.hpp"

@@ -2,6 +2,7 @@
 #include <limits>
 #include <string>
 
+#include "body/shapes/circle.hpp"
 #include "cylinder_flow.hpp"
 #include "exact/cylinder_drag.hpp"
 #include "flows.hpp"

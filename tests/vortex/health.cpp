@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "body/shape.hpp"
+#include "body/shapes/circle.hpp"
 
 using namespace vortree;
 using Catch::Matchers::Contains;

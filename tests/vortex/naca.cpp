@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "body/outline.hpp"
+#include "body/shapes/naca0012.hpp"
 #include "cylinder_flow.hpp"
 #include "flows.hpp"
 #include "vortex/wall/forces.hpp"

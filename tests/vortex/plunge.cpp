@@ -2,7 +2,9 @@
 #include <complex>
 
 #include "body/motion.hpp"
-#include "body/outline.hpp"
+#include "body/shapes/circle.hpp"
+#include "body/shapes/ellipse.hpp"
+#include "body/shapes/naca0012.hpp"
 #include "exact/theodorsen.hpp"
 #include "vortex/cylinder_flow.hpp"
 #include "vortex/step.hpp"

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "body/shape.hpp"
+#include "body/shapes/circle.hpp"
 #include "exact/spinning_cylinder.hpp"
 #include "vortex/solver.hpp"
 

@@ -87,7 +87,8 @@ void refuse_older_run(const fs::path& folder) {
     return refuse_more_than_a_start(folder);
   }
   for (const char* name : tables) refuse_older_table(folder / name);
-  for (const char* name : {"summary.json", "fields.h5", "fields.xdmf", "frames.xdmf"})
+  for (const char* name :
+       {"summary.json", "fields.h5", "fields.xdmf", "frames.xdmf", "outline.csv"})
     if (fs::is_regular_file(folder / name)) refuse_older(folder / name);
 }
 

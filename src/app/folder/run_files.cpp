@@ -13,6 +13,7 @@
 #include "app/say.hpp"
 #include "io/files.hpp"
 #include "io/scene/schema.hpp"
+#include "io/tables/outline.hpp"
 #include "io/while_reading.hpp"
 
 namespace vortree::app {
@@ -87,7 +88,8 @@ void RunFiles::require_outputs() const {
   for (const auto& reference : {scene_.check.drag_reference, scene_.check.wall_vorticity_reference,
                                 scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
-  for (const char* name : {"frames.h5", "frames.xdmf", "fields.h5", "fields.xdmf", "summary.json"})
+  for (const char* name :
+       {"frames.h5", "frames.xdmf", "fields.h5", "fields.xdmf", "outline.csv", "summary.json"})
     io::require_replaceable(folder_ / name, inputs);
   for (const std::string& name : tables_.names()) io::require_replaceable(folder_ / name, inputs);
   io::require_writable(folder_ / "frames.h5", inputs);
@@ -99,7 +101,13 @@ void RunFiles::begin() {
   io::create_frames(folder_, run_info(scene_), solver_.columns());
   io::remove_file(folder_ / "fields.h5");
   io::remove_file(folder_ / "fields.xdmf");
+  io::remove_file(folder_ / "outline.csv");
+  outline();
   tables_.begin();
+}
+
+void RunFiles::outline() const {
+  if (scene_.body) io::write_outline(folder_ / "outline.csv", *scene_.body);
 }
 
 io::Frame RunFiles::last_frame() const {
@@ -136,6 +144,7 @@ void RunFiles::resume_fields(const io::Frame& frame) {
 
 void RunFiles::resume(const io::Frame& frame) {
   require_outputs();
+  outline();
   tables_.resume(frame);
   resume_fields(frame);
   io::rewind_frames(folder_, frame.step);

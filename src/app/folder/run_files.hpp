@@ -18,8 +18,8 @@ namespace vortree::app {
 /// Every frame is a checkpoint, and whatever was written before it is on the disk before it: rows
 /// of the tables and pictures are forced to the disk, then the frame. So after a kill or a power
 /// failure at any moment the last frame that agrees with its checksum has all that belongs before
-/// it; what is later is dropped and made again. frames.xdmf only repeats frames.h5 and is not
-/// waited for. A new run first takes summary.json away, then empties frames.h5, then the rest: no
+/// it; what is later is dropped and made again. frames.xdmf only repeats frames.h5, outline.csv the
+/// scene: they are not waited for. A new run first takes summary.json away, then empties frames.h5, then the rest: no
 /// summary ever stands beside frames of another run.
 class RunFiles {
  public:
@@ -55,6 +55,7 @@ class RunFiles {
   void end() const { tables_.force(); }
 
  private:
+  void outline() const;
   void resume_fields(const io::Frame& frame);
 
   const io::Scene& scene_;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "body/extent.hpp"
 #include "io/quote.hpp"
 #include "io/scene/schema.hpp"
 #include "io/tables/table.hpp"
@@ -34,8 +35,8 @@ bool at_rest(const Scene& s) {
   return s.plunge && s.flow.stream == Pair{0, 0};
 }
 bool started(const Scene& s) {
-  return s.body && s.body->shape == body::ShapeKind::circle && !s.plunge && !s.motion &&
-         !s.initial && s.flow.stream != Pair{0, 0};
+  return s.body && body::round(*s.body) && !s.plunge && !s.motion && !s.initial &&
+         s.flow.stream != Pair{0, 0};
 }
 bool in_stream(const Scene& s) {
   return s.plunge && s.flow.stream != Pair{0, 0};

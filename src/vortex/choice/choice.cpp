@@ -43,11 +43,9 @@ Choice past_body(const VortexCase& scene, double e) {
   c.reach = 3;
   c.cap = 1.2;
   c.velocity = std::clamp(e / 1000, 1e-12, 1e-3);
-  const double around = scene.body->shape == body::ShapeKind::naca0012
-                            ? body::perimeter_of(*scene.body)
-                            : std::max(body::perimeter_of(*scene.body), std::numbers::pi * length);
-  const double tips =
-      body::perimeter_of(*scene.body) / (panel_at_tip * body::tip_radius(*scene.body));
+  const double perimeter = body::perimeter_of(*scene.body);
+  const double around = std::max(perimeter, std::numbers::pi * length);
+  const double tips = perimeter / (panel_at_tip * body::tip_of(*scene.body).radius);
   c.panels =
       static_cast<int>(std::clamp(std::max(around / (2.4 * c.sigma_0), tips), 128.0, 4000.0));
   return c;

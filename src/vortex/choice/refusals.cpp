@@ -93,15 +93,15 @@ void hold_steps(const VortexCase& scene) {
 }
 
 void hold_tips(const body::BodySettings& body) {
-  const double panel = body::perimeter_of(body) / body.panels, tip = body::tip_radius(body);
+  const double around = body::perimeter_of(body), panel = around / body.panels,
+               tip = body::tip_of(body).radius;
   if (panel <= blind_at_tip * tip) return;
   throw Refused(
       "body.panels",
       fmt::format("body.panels is {}; panels of {:.3g} step over the body's tips of radius {:.3g}; "
                   "at least {:.0f} see them, {:.0f} resolve them",
-                  body.panels, panel, tip,
-                  std::ceil(body::perimeter_of(body) / (blind_at_tip * tip)),
-                  std::ceil(body::perimeter_of(body) / (panel_at_tip * tip))));
+                  body.panels, panel, tip, std::ceil(around / (blind_at_tip * tip)),
+                  std::ceil(around / (panel_at_tip * tip))));
 }
 
 /// merging.box must hold what lies within `half` of the centre.

@@ -41,14 +41,11 @@ double turn_of_vortex(const VortexCase& scene) {
 }
 
 double turn_at_tip(const VortexCase& scene) {
-  if (!scene.body || scene.body->shape == body::ShapeKind::circle) return 0;
-  const body::BodySettings& body = *scene.body;
-  const double turned = body.incidence * std::numbers::pi / 180;
-  const bool upright = body.across.value_or(0) > body.radius.value_or(INFINITY);
-  const Pair long_way = upright ? Pair{std::sin(turned), std::cos(turned)}
-                                : Pair{std::cos(turned), -std::sin(turned)};
+  if (!scene.body || body::round(*scene.body)) return 0;
+  const body::Tip tip = body::tip_of(*scene.body);
+  const double half = std::hypot(tip.place.x, tip.place.y);
   const auto sideways = [&](const Pair& a) {
-    return std::abs(a[0] * long_way[1] - a[1] * long_way[0]);
+    return std::abs(a[0] * tip.place.y - a[1] * tip.place.x) / half;
   };
   double speed = sideways(scene.flow.stream);
   if (scene.plunge) {
@@ -56,10 +53,8 @@ double turn_at_tip(const VortexCase& scene) {
     speed += 2 * std::numbers::pi * scene.plunge->frequency * scene.plunge->amplitude *
              sideways(way) / std::hypot(way[0], way[1]);
   }
-  const double half =
-      body.chord ? *body.chord / 2 : std::max(*body.radius, body.across.value_or(0));
-  const double round = std::max(body::tip_radius(body), scene.cores.sigma_0);
-  return speed * std::sqrt(half / round) / round * scene.time.dt;
+  const double rounded = std::max(tip.radius, scene.cores.sigma_0);
+  return speed * std::sqrt(half / rounded) / rounded * scene.time.dt;
 }
 
 double width_of_endless_splits(const VortexCase& scene) {

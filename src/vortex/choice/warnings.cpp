@@ -68,7 +68,7 @@ void doubt_step(Warnings& list, const VortexCase& scene) {
         fmt::format("time.dt = {:.3g}: the flow turns around the body's edge, of radius {:.2g}, by "
                     "{:.2g} rad a "
                     "step: blobs will multiply there; {:.2g} is right",
-                    dt, body::tip_radius(*scene.body), tips, 8 * dt / tips));
+                    dt, body::tip_of(*scene.body).radius, tips, 8 * dt / tips));
   if (scene.plunge && dt * scene.plunge->frequency > 0.05)
     list.push_back(fmt::format(
         "time.dt = {:.3g}: a period of the plunge has {:.2g} steps; {:.2g} gives it 100", dt,
@@ -84,7 +84,7 @@ void doubt_panels(Warnings& list, const body::BodySettings& body, double thin) {
         "are "
         "enough",
         body.panels, panel, panel / thin, std::ceil(around / (2.4 * thin))));
-  const double tip = body::tip_radius(body);
+  const double tip = body::tip_of(body).radius;
   if (panel > coarse_at_tip * tip)
     list.push_back(fmt::format(
         "body.panels = {}: panels of {:.2g} do not resolve an edge of radius {:.2g}: the sheet "

@@ -25,9 +25,9 @@ field_spacing = 0.25
 
 /// Runs a line of Python with h5py on the frames of the run in r.
 void change_frames(const std::string& line, const TemporaryFolder& folder) {
-  const auto done = shell(
-      "/usr/bin/python3 -c \"import h5py; f = h5py.File('r/frames.h5', 'r+'); " + line + "\"",
-      folder);
+  const auto done =
+      shell("/usr/bin/python3 -c \"import h5py; f = h5py.File('r/frames.h5', 'r+'); " + line + "\"",
+            folder);
   CAPTURE(done.err);
   REQUIRE(done.code == 0);
 }
@@ -47,7 +47,8 @@ TEST_CASE("what a run has left before its first frame is replaced, and nothing e
     CAPTURE(outcome.err);
     return outcome.code == 2 && outcome.err.find("r/" + name + " is there already") == 9;
   };
-  for (const char* name : {"report.csv", "energy.csv", "fields.h5", "fields.xdmf", "summary.json"}) {
+  for (const char* name :
+       {"report.csv", "energy.csv", "fields.h5", "fields.xdmf", "summary.json"}) {
     CHECK(refused_for(name));
     fs::remove(folder / (std::string("r/") + name));
   }
@@ -60,13 +61,13 @@ TEST_CASE("tables of a row and a picture of the start are those of a run without
   folder.write("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml output.fields=[0] --out r", folder).code == 0);
   change_frames(forget_frames, folder);
-  REQUIRE(shell("rm r/summary.json; for t in report energy; do sed -i 3,\\$d r/$t.csv; done",
-                folder)
-              .code == 0);
+  REQUIRE(
+      shell("rm r/summary.json; for t in report energy; do sed -i 3,\\$d r/$t.csv; done", folder)
+          .code == 0);
   CHECK(call("run vortex.toml --out r", folder).code == 0);
 }
 
-TEST_CASE("a frames.h5 that no run has written, or pages of XDMF alone, are not replaced") {
+TEST_CASE("a frames.h5 that no run has written, or derived files alone, are not replaced") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
   folder.write("vortex.toml", vortex);
@@ -78,7 +79,7 @@ TEST_CASE("a frames.h5 that no run has written, or pages of XDMF alone, are not 
   CHECK(call("run vortex.toml --out r", folder).code == 2);
   CHECK(text_of(folder / "r/frames.h5") == before);
   fs::remove(folder / "r/frames.h5");
-  for (const char* name : {"r/frames.xdmf", "r/fields.xdmf"}) {
+  for (const char* name : {"r/frames.xdmf", "r/fields.xdmf", "r/outline.csv"}) {
     folder.write(name, "mine");
     CHECK(call("run vortex.toml --out r", folder).code == 2);
     CHECK(text_of(folder / name) == "mine");
@@ -105,8 +106,9 @@ TEST_CASE("frames that are damaged where they tell of their run are named, not t
   const NoFigures quick(folder);
   folder.write("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml time.end=0.4 --out r", folder).code == 0);
-  REQUIRE(shell("dd if=/dev/zero of=r/frames.h5 bs=1 seek=96 count=800 conv=notrunc", folder)
-              .code == 0);
+  REQUIRE(
+      shell("dd if=/dev/zero of=r/frames.h5 bs=1 seek=96 count=800 conv=notrunc", folder).code ==
+      0);
   for (const char* step : {"", "time.dt=0.05"}) {
     const auto resumed = call("run vortex.toml --resume --out r " + std::string(step), folder);
     CAPTURE(resumed.err);

@@ -53,6 +53,7 @@ TEST_CASE("a run leaves its files, says nothing on a standard error that is no t
   CHECK(outcome.err.empty());
   for (const std::string file : {"report.csv", "frames.h5", "frames.xdmf", "summary.json"})
     CHECK(fs::exists(folder / ("runs/vortex/" + file)));
+  CHECK_FALSE(fs::exists(folder / "runs/vortex/outline.csv"));
   CHECK(text_of(folder / "runs/vortex/summary.json").find("\"passed\": true") != std::string::npos);
 }
 
@@ -121,10 +122,12 @@ frames = 1e9
 )");
   folder.write("same_run.py", same_run);
   CHECK(call("run foil.toml --out halved time.end=0.2", folder).code == 0);
+  CHECK(fs::remove(folder / "halved/outline.csv"));
   const auto resumed = call("run foil.toml --out halved --resume", folder);
   CAPTURE(resumed.err);
   CHECK(resumed.code == 0);
   CHECK(call("run foil.toml --out whole", folder).code == 0);
+  CHECK(text_of(folder / "halved/outline.csv") == text_of(folder / "whole/outline.csv"));
   CHECK(shell("/usr/bin/python3 same_run.py halved whole", folder).out == "True\n");
   CHECK(call("run foil.toml --out halved --resume plunge.amplitude=0.2", folder).code == 2);
 }

@@ -58,7 +58,7 @@ TEST_CASE("a body has the keys of its shape, and no others") {
         "cases/ring.toml:20: body.edge is 0.1; it must lie in 1e-4 .. 0.02");
   const Scene foil = parse(plain + "[body]\nshape = \"naca0012\"\nchord = 3");
   CHECK(body::length_of(*foil.body) == 3);
-  CHECK(body::edge_of(*foil.body) == 0.005);
+  CHECK(foil.body->number("edge") == 0.005);
   CHECK(parse(resolved(foil)) == foil);
 }
 

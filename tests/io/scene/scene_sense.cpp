@@ -1,4 +1,3 @@
-#include "body/extent.hpp"
 #include "scenes.hpp"
 
 using namespace vortree;
@@ -70,16 +69,6 @@ TEST_CASE("merging.box holds the body and the initial vorticity, or is refused")
   CHECK_THAT(typed(plain, "merging.box=[-0.5,-1,1,1]"),
              Contains("it must hold the initial vorticity, which fills [-0.6, -0.6, 0.6, 0.6]"));
   CHECK_NOTHROW(parse(plain, {"merging.box=[-0.61,-0.61,0.61,0.62]"}));
-}
-
-TEST_CASE("a turned ellipse and a foil fill what their outlines reach") {
-  const body::BodySettings ellipse{
-      .shape = body::ShapeKind::ellipse, .radius = 0.5, .across = 0.1, .incidence = 90};
-  CHECK(body::half_extent(ellipse)[0] == Approx(0.1));
-  CHECK(body::half_extent(ellipse)[1] == Approx(0.5));
-  const body::BodySettings foil{.shape = body::ShapeKind::naca0012, .chord = 2};
-  CHECK(body::half_extent(foil)[0] == Approx(1));
-  CHECK(body::half_extent(foil)[1] > 0.06 * 2);
 }
 
 TEST_CASE("cores wider than half the body, and steps that turn the flow around, are refused") {

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "body/shapes/circle.hpp"
 #include "vortex/adapt/split_wide.hpp"
 #include "vortex/strained_flows.hpp"
 

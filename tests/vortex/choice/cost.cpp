@@ -35,8 +35,7 @@ TEST_CASE("the estimate of a vortex's blobs is that of its lattice, to a few row
       std::istringstream pairs("initial.kind=" + std::string(kind));
       for (std::string word; pairs >> word;) words.push_back(word);
       const vortex::VortexCase asked = scene(vortex_by_hand, words);
-      const auto made =
-          static_cast<double>(vortex::setup_of(asked).blobs.size());
+      const auto made = static_cast<double>(vortex::setup_of(asked).blobs.size());
       CHECK(vortex::cost_of(asked).blobs == Approx(made).epsilon(0.1));
     }
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "body/shapes/circle.hpp"
 #include "vortex/cores/folded_core.hpp"
 #include "vortex/strained_flows.hpp"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "exact/lamb_oseen.hpp"
-#include "vortex/flows.hpp"
 #include "vortex/blobs/lattice.hpp"
+#include "vortex/flows.hpp"
 #include "vortex/transport/particle_exchange.hpp"
 #include "vortex/transport/random_walk.hpp"
 #include "vortex/wall/vorticity.hpp"

@@ -2,9 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "body/outline.hpp"
-#include "vortex/cylinder_flow.hpp"
+#include "body/shapes/circle.hpp"
+#include "body/shapes/naca0012.hpp"
 #include "point_sets.hpp"
+#include "vortex/cylinder_flow.hpp"
 
 using namespace vortree;
 using vortex::AlongWall;

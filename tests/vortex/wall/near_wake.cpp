@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/shapes/circle.hpp"
+
 using namespace vortree;
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "body/shapes/circle.hpp"
 #include "vortex/flows.hpp"
 
 using namespace vortree;

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "body/shapes/circle.hpp"
 #include "vortex/cylinder_flow.hpp"
 #include "vortex/flows.hpp"
 

@@ -1,10 +1,12 @@
+#include "body/shapes/circle.hpp"
+
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "base/angle_kernel.hpp"
-#include "body/shape.hpp"
+#include "body/shapes/shapes.hpp"
 #include "tree/base/told.hpp"
 
 namespace vortree::body {
@@ -46,7 +48,17 @@ class Circle final : public Shape {
   double radius_;
 };
 
+double length(const BodySettings& body) {
+  return 2 * body.number("radius");
+}
+
+std::unique_ptr<Shape> draw(const BodySettings& body) {
+  return circle({}, body.number("radius"));
+}
+
 }  // namespace
+
+const ShapeKind circle_kind{{"circle", {{"radius", positive, "L", "its radius"}}}, length, draw};
 
 std::unique_ptr<Shape> circle(Vec2 centre, double radius) {
   if (!(radius > 0 && std::isfinite(radius)))
