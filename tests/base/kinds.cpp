@@ -34,12 +34,11 @@ std::string refusal(const Solid& solid, const Dimensions& numbers) {
 }  // namespace
 
 TEST_CASE("a table that names a kind has a key for its name, and one for each number of any kind") {
-  const auto names = names_of(as_kinds(solids));
   const Solid* solid = list[0];
   Dimensions numbers = dimensions_of(as_kinds(solids));
   CHECK(numbers == Dimensions{{"size", {}}, {"bulge", {}}});
   const std::vector<Key> keys =
-      keys_of(as_kinds(solids), "solid", "what rolls", one_of(solids, names, solid), numbers);
+      keys_of(as_kinds(solids), "solid", "what rolls", one_of(solids, solid), numbers);
   REQUIRE(keys.size() == 3);
   CHECK((keys[0].name == "solid" && keys[1].name == "size" && keys[2].name == "bulge"));
   CHECK((keys[1].unit == "L" && keys[1].rule.above_low && keys[2].rule.high == 2));

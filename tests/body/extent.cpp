@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bodies.hpp"
+#include "some_bodies.hpp"
 
 using namespace vortree;
 using namespace vortree::test;

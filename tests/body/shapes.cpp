@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "bodies.hpp"
 #include "body/extent.hpp"
 #include "body/outline.hpp"
+#include "some_bodies.hpp"
 
 using namespace vortree;
 using namespace vortree::test;
@@ -105,10 +105,9 @@ TEST_CASE("a body is drawn about the origin, wherever it lies, by the numbers of
 TEST_CASE("a shape that is one object more has keys and refusals, is drawn and measured") {
   const std::array<const body::ShapeKind*, 2> list{&body::circle_kind, &squircle};
   const std::span<const body::ShapeKind* const> kinds(list);
-  const auto names = names_of(as_kinds(kinds));
   BodySettings body;
   const std::vector<Key> all = keys_of(as_kinds(kinds), "shape", "outline of the body",
-                                       one_of(kinds, names, body.shape), body.numbers);
+                                       one_of(kinds, body.shape), body.numbers);
   CHECK(names_of_keys(all) == std::vector<std::string>{"shape", "radius", "half"});
   CHECK(all[2].says == "squircle: half its width, 0.5 if not written");
   std::get<OneOf>(all[0].target).set(1);
