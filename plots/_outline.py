@@ -15,3 +15,9 @@ def outline(run):
 def is_circle(run):
     r = np.hypot(run.outline["x"], run.outline["y"])
     return np.ptp(r) < 1e-9 * r.max()
+
+
+def is_slender(run):
+    """A body that fills less than a fifth of the square on its length, as a foil does."""
+    x, y = run.outline["x"], run.outline["y"]
+    return abs(np.sum(x[:-1] * np.diff(y) - y[:-1] * np.diff(x))) / 2 < 0.8 * run.body[0] ** 2

@@ -1,6 +1,7 @@
 """The closed wake grows, and the flow separates, as in the reference."""
 
 import numpy as np
+from _outline import is_slender
 from _style import BLUE, INK, Nothing, figure, interpolated, main, note, rms
 
 # column of report.csv, of the reference; label; deviation: its unit, first T that counts, formula
@@ -14,7 +15,7 @@ PANELS = (
 
 def draw(run):
     run.body
-    if run.scene["body"].get("shape") == "naca0012" or "strouhal" in run.check:
+    if is_slender(run) or "strouhal" in run.check:
         raise Nothing  # no closed wake
     report, reference = run.report, run.reference("drag_reference")
     T = report["T"]

@@ -24,11 +24,11 @@
 #include "app/commands/bench.hpp"
 #include "app/commands/check.hpp"
 #include "app/commands/neighbors.hpp"
+#include "app/commands/plot.hpp"
 #include "app/commands/sweep.hpp"
 #include "app/commands/velocity.hpp"
 #include "app/install_paths.hpp"
 #include "app/loop/run.hpp"
-#include "app/plot.hpp"
 #include "app/say.hpp"
 #include "base/free_memory.hpp"
 #include "base/memory.hpp"
@@ -340,11 +340,6 @@ int print_velocity(const VelocityJob& job) {
   const VelocityReport report = velocity(job);
   tell("{}\n", report.line);
   return report.missed ? complain(*report.missed, failed) : arrived();
-}
-
-void plot_folder(const std::string& folder) {
-  if (plot(folder)) return;
-  throw io::InputError(folder + ": nothing to draw; the folder of a run or a bench was expected");
 }
 
 int carry_out(const CLI::App& program, const Words& words) {

@@ -8,17 +8,19 @@
 namespace vortree::test {
 
 inline body::BodySettings circle(double radius) {
-  return {.shape = &body::circle_kind, .numbers = {{"radius", radius}}};
+  return {.shape = &body::shape_kind("circle"), .numbers = {{"radius", radius}}};
 }
 
 inline body::BodySettings ellipse(double radius, double across, double incidence = 0) {
-  return {.shape = &body::ellipse_kind,
+  return {.shape = &body::shape_kind("ellipse"),
           .numbers = {{"radius", radius}, {"across", across}},
           .incidence = incidence};
 }
 
 inline body::BodySettings foil(double chord, double incidence = 0) {
-  return {.shape = &body::naca0012_kind, .numbers = {{"chord", chord}}, .incidence = incidence};
+  return {.shape = &body::shape_kind("naca0012"),
+          .numbers = {{"chord", chord}},
+          .incidence = incidence};
 }
 
 }  // namespace vortree::test

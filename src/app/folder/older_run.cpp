@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/install_paths.hpp"
+#include "io/files.hpp"
 #include "io/frames/frames.hpp"
 #include "io/frames/read.hpp"
 #include "io/input_error.hpp"
@@ -100,6 +101,26 @@ void refuse_older_figures(const fs::path& folder, std::string_view kind) {
   for (const fs::path& script : plot_scripts(kind)) {
     const fs::path figure = (folder / script.stem()).concat(".png");
     if (fs::exists(fs::symlink_status(figure))) refuse_older(figure);
+  }
+}
+
+void remove_older_tables_and_pictures(const fs::path& folder) {
+  for (const char* name : tables) io::remove_file(folder / name);
+  for (const char* name : {"fields.h5", "fields.xdmf", "outline.csv"})
+    io::remove_file(folder / name);
+  for (const fs::path& script : plot_scripts()) {
+    const fs::path figure = (folder / script.stem()).concat(".png");
+    if (fs::is_regular_file(figure)) io::remove_file(figure);
+  }
+}
+
+bool lacks_outline(const fs::path& folder) {
+  const fs::path frames = folder / "frames.h5";
+  if (!fs::exists(frames) || fs::exists(folder / "outline.csv")) return false;
+  try {
+    return io::info_of_frames(frames).resolved.find("\n[body]\n") != std::string::npos;
+  } catch (const io::InputError&) {
+    return false;
   }
 }
 

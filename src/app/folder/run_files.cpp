@@ -7,8 +7,10 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 
+#include "app/folder/older_run.hpp"
 #include "app/install_paths.hpp"
 #include "app/say.hpp"
 #include "io/files.hpp"
@@ -88,20 +90,26 @@ void RunFiles::require_outputs() const {
   for (const auto& reference : {scene_.check.drag_reference, scene_.check.wall_vorticity_reference,
                                 scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
+  const auto tables = tables_.names();
+  std::vector<std::string> names(tables.begin(), tables.end());
   for (const char* name :
        {"frames.h5", "frames.xdmf", "fields.h5", "fields.xdmf", "outline.csv", "summary.json"})
-    io::require_replaceable(folder_ / name, inputs);
-  for (const std::string& name : tables_.names()) io::require_replaceable(folder_ / name, inputs);
-  io::require_writable(folder_ / "frames.h5", inputs);
+    names.emplace_back(name);
+  std::map<fs::path, fs::path> targets;
+  for (const std::string& name : names) {
+    const fs::path output = folder_ / name;
+    io::require_writable(output, inputs);
+    if (const auto [at, fresh] = targets.emplace(io::target_of(output), output); !fresh)
+      throw io::InputError(fmt::format("{} leads to the same file as {}; each output needs its own",
+                                       output.string(), at->second.string()));
+  }
 }
 
 void RunFiles::begin() {
   require_outputs();
   io::remove_file(folder_ / "summary.json");
   io::create_frames(folder_, run_info(scene_), solver_.columns());
-  io::remove_file(folder_ / "fields.h5");
-  io::remove_file(folder_ / "fields.xdmf");
-  io::remove_file(folder_ / "outline.csv");
+  remove_older_tables_and_pictures(folder_);
   outline();
   tables_.begin();
 }

@@ -58,7 +58,10 @@ std::unique_ptr<Shape> draw(const BodySettings& body) {
 
 }  // namespace
 
-const ShapeKind circle_kind{{"circle", {{"radius", positive, "L", "its radius"}}}, length, draw};
+const ShapeKind& circle_kind() {
+  static const ShapeKind kind{{"circle", {{"radius", positive, "L", "its radius"}}}, length, draw};
+  return kind;
+}
 
 std::unique_ptr<Shape> circle(Vec2 centre, double radius) {
   if (!(radius > 0 && std::isfinite(radius)))

@@ -27,11 +27,14 @@ std::unique_ptr<Shape> draw(const BodySettings& body) {
 
 }  // namespace
 
-const ShapeKind ellipse_kind{{"ellipse",
-                              {{"radius", positive, "L", "half the long axis"},
-                               {"across", positive, "L", "half the other axis"}}},
-                             length,
-                             draw};
+const ShapeKind& ellipse_kind() {
+  static const ShapeKind kind{{"ellipse",
+                               {{"radius", positive, "L", "half the long axis"},
+                                {"across", positive, "L", "half the other axis"}}},
+                              length,
+                              draw};
+  return kind;
+}
 
 std::unique_ptr<Shape> ellipse(Vec2 centre, double a, double b, double incidence) {
   require_half_axis(a);

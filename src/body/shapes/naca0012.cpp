@@ -58,11 +58,14 @@ constexpr Rule edges{.low = 1e-4, .high = 0.02, .words = "it must lie in 1e-4 ..
 
 }  // namespace
 
-const ShapeKind naca0012_kind{{"naca0012",
+const ShapeKind& naca0012_kind() {
+  static const ShapeKind kind{{"naca0012",
                                {{"chord", positive, "L", "its length"},
                                 {"edge", edges, "chord", "radius of the trailing edge", 0.005}}},
                               length,
                               draw};
+  return kind;
+}
 
 std::unique_ptr<Shape> naca0012(Vec2 centre, double chord, double edge, double incidence) {
   if (!(chord > 0 && std::isfinite(chord)))

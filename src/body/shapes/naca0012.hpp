@@ -6,8 +6,6 @@
 
 namespace vortree::body {
 
-struct ShapeKind;
-
 /// The section NACA 0012 about the middle of its chord, the nose towards -x, turned nose up by
 /// incidence (radians), with a rounded trailing edge. In shares of the chord, for 0 <= x <= 1,
 ///
@@ -25,7 +23,5 @@ struct ShapeKind;
 /// throws  std::invalid_argument unless chord > 0 and 1e-4 <= edge <= 0.02
 /// source  Jacobs, Ward & Pinkerton, NACA Report 460 (1933)
 std::unique_ptr<Shape> naca0012(Vec2 centre, double chord, double edge, double incidence);
-
-extern const ShapeKind naca0012_kind;
 
 }  // namespace vortree::body

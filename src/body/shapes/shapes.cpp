@@ -1,18 +1,38 @@
 #include "body/shapes/shapes.hpp"
 
-#include "body/shapes/circle.hpp"
-#include "body/shapes/ellipse.hpp"
-#include "body/shapes/naca0012.hpp"
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+// Each is `const ShapeKind& NAME_kind()` in a file of this folder.
+// clang-format off
+#define VORTREE_SHAPES(kind) \
+  kind(circle) \
+  kind(ellipse) \
+  kind(naca0012)
+// clang-format on
 
 namespace vortree::body {
 
+#define DECLARED(name) const ShapeKind& name##_kind();
+VORTREE_SHAPES(DECLARED)
+#undef DECLARED
+
 std::span<const ShapeKind* const> shape_kinds() {
-  static constexpr const ShapeKind* all[] = {&circle_kind, &ellipse_kind, &naca0012_kind};
+#define LISTED(name) &name##_kind(),
+  static const ShapeKind* const all[] = {VORTREE_SHAPES(LISTED)};
+#undef LISTED
   return all;
 }
 
 std::unique_ptr<Shape> outline_of(const BodySettings& body) {
   return body.shape->draw(body);
+}
+
+const ShapeKind& shape_kind(std::string_view name) {
+  const auto found = std::ranges::find(shape_kinds(), name, &Kind::name);
+  if (found == shape_kinds().end()) throw std::out_of_range("no shape " + std::string(name));
+  return **found;
 }
 
 }  // namespace vortree::body

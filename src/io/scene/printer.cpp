@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <concepts>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/quote.hpp"
@@ -117,33 +119,49 @@ std::string resolved(const Scene& scene) {
 namespace {
 
 /// The values of all keys that count, as text, by their dotted names; that a table is there counts
-/// by its name in brackets.
-std::map<std::string, std::string> values(Scene scene) {
-  std::map<std::string, std::string> all;
-  for (const Key& key : keys(scene)) all[std::string(key.name)] = text_of(key).value_or("");
+/// by its name in brackets. Those that can follow from others, as an accuracy chooses the method's
+/// own, stand apart.
+struct ValuesByName {
+  std::vector<std::pair<std::string, std::string>> decided, following;
+};
+
+ValuesByName values(Scene scene) {
+  constexpr std::array<std::string_view, 3> follows{"flow.nu", "body.panels", "time.dt"};
+  ValuesByName all;
+  for (const Key& key : keys(scene)) all.decided.emplace_back(key.name, text_of(key).value_or(""));
+  const std::size_t of_flow = flow::tables(scene).size();
+  std::size_t number = 0;
   for (const SceneTable& table : tables_that_count(scene)) {
+    const bool own = number++ >= of_flow;
     if (!table.present()) continue;
-    all[fmt::format("[{}]", table.name)] = "there";
-    for (const Key& key : table.keys())
-      all[fmt::format("{}.{}", table.name, key.name)] = text_of(key).value_or("");
+    all.decided.emplace_back(fmt::format("[{}]", table.name), "there");
+    for (const Key& key : table.keys()) {
+      const std::string name = fmt::format("{}.{}", table.name, key.name);
+      const bool apart = own || std::ranges::find(follows, name) != follows.end();
+      (apart ? all.following : all.decided).emplace_back(name, text_of(key).value_or(""));
+    }
   }
   return all;
+}
+
+/// The first name with a value that the other list does not have.
+std::string lacking(const auto& one, const auto& other, const auto& left_out) {
+  for (const auto& value : one)
+    if (!left_out(value.first) && std::ranges::find(other, value) == other.end())
+      return value.first;
+  return "";
 }
 
 }  // namespace
 
 std::string first_difference(const Scene& a, const Scene& b,
                              const std::function<bool(std::string_view name)>& left_out) {
-  const auto first = values(a), second = values(b);
-  const auto differs = [&](const auto& one, const auto& other) -> std::string {
-    for (const auto& [name, value] : one) {
-      const auto same = other.find(name);
-      if (!left_out(name) && (same == other.end() || same->second != value)) return name;
-    }
-    return "";
-  };
-  const std::string name = differs(first, second);
-  return name.empty() ? differs(second, first) : name;
+  const ValuesByName one = values(a), other = values(b);
+  for (const std::string& name : {lacking(one.decided, other.decided, left_out),
+                                  lacking(other.decided, one.decided, left_out),
+                                  lacking(one.following, other.following, left_out)})
+    if (!name.empty()) return name;
+  return lacking(other.following, one.following, left_out);
 }
 
 std::string page_of_keys(const flow::Methods& methods) {

@@ -35,7 +35,7 @@ namespace vortree::io {
 [[nodiscard]] Scene blank_scene(const flow::Methods& methods);
 
 /// The first key that counts in which two scenes differ, by its dotted name, or "[table]" if but one
-/// of them has it; or nothing.
+/// of them has it; or nothing. What may follow from others, as an accuracy chooses it, comes last.
 ///
 /// left_out  says of a dotted name that it does not matter
 [[nodiscard]] std::string first_difference(

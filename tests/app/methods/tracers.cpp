@@ -242,5 +242,6 @@ TEST_CASE("what a resumed run may not change is told by its table, a method's ow
   CHECK_THROWS_WITH(run("parts", {"flow.stream=[1,0]"}, true), refused("[flow]"));
   CHECK_THROWS_WITH(run("parts", {"time.dt=0.1"}, true), refused("[time]"));
   CHECK_THROWS_WITH(run("parts", {"seed=5"}, true), refused("seed"));
+  CHECK_THROWS_WITH(run("parts", {"body.radius=1"}, true), refused("[body]"));
   CHECK(run("parts", {"cores.sigma_0=0.5", "title=Other", "check.blobs_max=11"}, true).finished);
 }

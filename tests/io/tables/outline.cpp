@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "body/shapes/naca0012.hpp"
+#include "body/shapes/shapes.hpp"
 #include "io/sandbox.hpp"
 #include "io/tables/table.hpp"
 
@@ -12,7 +13,7 @@ using namespace vortree;
 
 TEST_CASE("the outline of a body is a closed table, from its centre, below a note of its length") {
   const Sandbox box;
-  body::BodySettings foil{.shape = &body::naca0012_kind,
+  body::BodySettings foil{.shape = &body::shape_kind("naca0012"),
                           .numbers = {{"chord", 2}, {"edge", 0.01}},
                           .incidence = 30,
                           .centre = {7, 9}};
