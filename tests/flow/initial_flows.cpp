@@ -104,7 +104,7 @@ TEST_CASE("the weight of each patch adds up to its area, and its vorticity to th
       CHECK(found == Approx(patch.area).epsilon(error));
       total += patch.circulation;
     }
-    CHECK(integral([&](Vec2 at) { return vorticity(*flow, at); }, h) ==
+    CHECK(integral([&given = *flow](Vec2 at) { return vorticity(given, at); }, h) ==
           Approx(total).epsilon(error).margin(1e-12));
   }
   CHECK(dipole.kind->patches(dipole).front().circulation == circulation);

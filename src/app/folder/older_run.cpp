@@ -116,7 +116,8 @@ void remove_older_tables_and_pictures(const fs::path& folder) {
 
 bool lacks_outline(const fs::path& folder) {
   const fs::path frames = folder / "frames.h5";
-  if (!fs::exists(frames) || fs::exists(folder / "outline.csv")) return false;
+  std::error_code error;  // what is wrong with the folder is not said here
+  if (!fs::exists(frames, error) || fs::exists(folder / "outline.csv", error)) return false;
   try {
     return io::info_of_frames(frames).resolved.find("\n[body]\n") != std::string::npos;
   } catch (const io::InputError&) {
