@@ -63,9 +63,9 @@ TEST_CASE("a body has the keys of all shapes, and is a circle unless another is 
   REQUIRE(shape.words.size() == 3);
   CHECK(
       (shape.words[0] == "circle" && shape.words[1] == "ellipse" && shape.words[2] == "naca0012"));
-  CHECK(body.shape == &body::shape_kind("circle"));
+  CHECK(body.shape == &shape_kind("circle"));
   shape.set(2);
-  CHECK(body.shape == &body::shape_kind("naca0012"));
+  CHECK(body.shape == &shape_kind("naca0012"));
   *std::get<std::optional<double>*>(all[3].target) = 3;
   CHECK((body.number("chord") == 3 && body.number("edge") == 0.005));
   CHECK((all[4].rule.low == 1e-4 && all[4].rule.high == 0.02 && all[4].unit == "chord"));
@@ -79,9 +79,9 @@ TEST_CASE("a body has the numbers of its shape, and no others") {
   CHECK(refusal(foil(1)).empty());
   CHECK(refusal(BodySettings{}) ==
         "body: body.shape is \"circle\"; that needs the key body.radius");
-  CHECK(refusal({.shape = &body::shape_kind("ellipse"), .numbers = {{"radius", 1}}}) ==
+  CHECK(refusal({.shape = &shape_kind("ellipse"), .numbers = {{"radius", 1}}}) ==
         "body: body.shape is \"ellipse\"; that needs the key body.across");
-  CHECK(refusal({.shape = &body::shape_kind("naca0012"), .numbers = {{"radius", 1}}}) ==
+  CHECK(refusal({.shape = &shape_kind("naca0012"), .numbers = {{"radius", 1}}}) ==
         "body.radius: body.shape is \"naca0012\"; that does not have the key body.radius");
   CHECK(refusal({.numbers = {{"radius", 1}, {"edge", 0.01}}}) ==
         "body.edge: body.shape is \"circle\"; that does not have the key body.edge");
@@ -103,7 +103,7 @@ TEST_CASE("a body is drawn about the origin, wherever it lies, by the numbers of
 }
 
 TEST_CASE("a shape that is one object more has keys and refusals, is drawn and measured") {
-  const std::array<const body::ShapeKind*, 2> list{&body::shape_kind("circle"), &squircle};
+  const std::array<const body::ShapeKind*, 2> list{&shape_kind("circle"), &squircle};
   const std::span<const body::ShapeKind* const> kinds(list);
   BodySettings body;
   const std::vector<Key> all = keys_of(as_kinds(kinds), "shape", "outline of the body",

@@ -14,10 +14,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::string> overrides;
   if (end != std::string_view::npos) overrides = fuzz::lines_of(input.substr(end + 5));
   fuzz::expect_answer([&] {
-    const io::Scene scene = io::parse_scene(input.substr(0, end), "scene.toml", test::by_vortices(), overrides);
+    const io::Scene scene =
+        io::parse_scene(input.substr(0, end), "scene.toml", test::by_vortices(), overrides);
     const std::string printed = io::resolved(scene);
     try {
-      if (!(io::parse_scene(printed, "scene.toml", scene.methods) == scene)) fuzz::fail("differs:\n" + printed);
+      if (!(io::parse_scene(printed, "scene.toml", scene.methods) == scene))
+        fuzz::fail("differs:\n" + printed);
     } catch (const io::InputError& refusal) {
       fuzz::fail(refusal.what() + (":\n" + printed));
     }

@@ -23,9 +23,9 @@ struct NeighborsJob {
 /// Neighbors of all particles of a file: reads x, y and reach, searches `repeat` times, writes the
 /// compressed rows `start` (n + 1, int64) and `index` (int32), particles in input order.
 ///
-/// returns  what was done, as JSON on one line, for standard output: n, method, builder, threads, rule, half, pairs (as
-///          many as index has), peak_bytes, seconds {tree, search, total: medians of all
-///          repetitions; io}. The builder of a method that has no tree is null.
+/// returns  what was done, as JSON on one line, for standard output: n, method, builder, threads,
+///          rule, half, pairs (as many as index has), peak_bytes, seconds {tree, search, total:
+///          medians of all repetitions; io}. The builder of a method that has no tree is null.
 /// throws   io::InputError for wrong files, std::invalid_argument for each pair once under rule
 /// own;
 ///          std::runtime_error for more particles or pairs than the free memory holds

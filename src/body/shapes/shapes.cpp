@@ -1,9 +1,5 @@
 #include "body/shapes/shapes.hpp"
 
-#include <algorithm>
-#include <stdexcept>
-#include <string>
-
 // Each is `const ShapeKind& NAME_kind()` in a file of this folder.
 // clang-format off
 #define VORTREE_SHAPES(kind) \
@@ -27,12 +23,6 @@ std::span<const ShapeKind* const> shape_kinds() {
 
 std::unique_ptr<Shape> outline_of(const BodySettings& body) {
   return body.shape->draw(body);
-}
-
-const ShapeKind& shape_kind(std::string_view name) {
-  const auto found = std::ranges::find(shape_kinds(), name, &Kind::name);
-  if (found == shape_kinds().end()) throw std::out_of_range("no shape " + std::string(name));
-  return **found;
 }
 
 }  // namespace vortree::body

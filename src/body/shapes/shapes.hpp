@@ -25,9 +25,6 @@ struct ShapeKind : Kind {
 /// All of them; the first is that of a body whose scene names none.
 [[nodiscard]] std::span<const ShapeKind* const> shape_kinds();
 
-/// The one of that name. throws std::out_of_range if there is none
-[[nodiscard]] const ShapeKind& shape_kind(std::string_view name);
-
 /// The outline of a body about the origin.
 /// cost    0.15 ms
 /// throws  std::invalid_argument if a number is lacking or out of its limits

@@ -37,28 +37,33 @@ void hold_check(const Document& document, const Scene& scene) {
   check_asked(document, scene);
 }
 
+/// The one that computes a scene, which the reader has seen to be there.
+auto& method_of(auto& scene) {
+  return *std::ranges::find(scene.methods, scene.method,
+                            [](const flow::AnyMethod& m) { return m->name(); });
+}
+
 /// What a scene leaves out, by its own laws and by those of its method, and what it cannot mean.
 void complete(const Document& document, Scene& scene) {
   const flow::Written written = [&](std::string_view table, std::string_view key) {
     const toml::node* node = document.root().get(table);
     return node && node->is_table() && node->as_table()->contains(key);
   };
-  const auto own = std::ranges::find(scene.methods, scene.method,
-                                     [](const flow::AnyMethod& m) { return m->name(); });
+  flow::AnyMethod& own = method_of(scene);
   flow::refuse_senseless(scene);
   flow::choose_viscosity(scene, written);
-  (*own)->choose(scene, written);
+  own->choose(scene, written);
   if (scene.time.dt == 0) throw Refused("time", "[time] needs the key dt");
   scene.origin.step_chosen = !written("time", "dt");
   flow::complete_times(scene);
   hold_check(document, scene);
-  (*own)->refuse(scene);
+  own->refuse(scene);
 }
 
 }  // namespace
 
 const flow::Method& Scene::computed_by() const {
-  return **std::ranges::find(methods, method, [](const flow::AnyMethod& m) { return m->name(); });
+  return *method_of(*this);
 }
 
 bool operator==(const Scene& a, const Scene& b) {

@@ -1,5 +1,7 @@
 #include "io/scene/schema.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <iterator>
 
 namespace vortree::io {
@@ -13,25 +15,24 @@ std::vector<Key> keys(Scene& scene) {
 
 namespace {
 
-void append(std::vector<SceneTable>& all, std::vector<SceneTable> more) {
-  std::ranges::move(more, std::back_inserter(all));
+/// The tables of the flow, of the methods of which `counts` is true, and [check].
+std::vector<SceneTable> tables(Scene& scene,
+                               const std::function<bool(const flow::Method&)>& counts) {
+  std::vector<SceneTable> all = flow::tables(scene);
+  for (flow::AnyMethod& method : scene.methods)
+    if (counts(*method)) std::ranges::move(method->tables(), std::back_inserter(all));
+  all.push_back(table("check", scene.check));
+  return all;
 }
 
 }  // namespace
 
 std::vector<SceneTable> tables(Scene& scene) {
-  std::vector<SceneTable> all = flow::tables(scene);
-  for (flow::AnyMethod& method : scene.methods) append(all, method->tables());
-  all.push_back(table("check", scene.check));
-  return all;
+  return tables(scene, [](const flow::Method&) { return true; });
 }
 
 std::vector<SceneTable> tables_that_count(Scene& scene) {
-  std::vector<SceneTable> all = flow::tables(scene);
-  for (flow::AnyMethod& method : scene.methods)
-    if (method->name() == scene.method) append(all, method->tables());
-  all.push_back(table("check", scene.check));
-  return all;
+  return tables(scene, [&](const flow::Method& method) { return method.name() == scene.method; });
 }
 
 Scene blank_scene(const flow::Methods& methods) {

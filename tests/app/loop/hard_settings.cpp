@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/program.hpp"
-#include "checks/scenes.hpp"
 #include "app/methods/methods.hpp"
+#include "app/program.hpp"
 #include "by_vortices.hpp"
+#include "checks/scenes.hpp"
 
 using namespace vortree;
 using namespace vortree::test;

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "body/shapes/naca0012.hpp"
-#include "body/shapes/shapes.hpp"
+#include "body/some_bodies.hpp"
 #include "io/sandbox.hpp"
 #include "io/tables/table.hpp"
 
@@ -13,7 +13,7 @@ using namespace vortree;
 
 TEST_CASE("the outline of a body is a closed table, from its centre, below a note of its length") {
   const Sandbox box;
-  body::BodySettings foil{.shape = &body::shape_kind("naca0012"),
+  body::BodySettings foil{.shape = &test::shape_kind("naca0012"),
                           .numbers = {{"chord", 2}, {"edge", 0.01}},
                           .incidence = 30,
                           .centre = {7, 9}};
