@@ -1,9 +1,14 @@
 #pragma once
 
+#include <poll.h>
 #include <stdlib.h>
+#include <sys/inotify.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -55,19 +60,55 @@ struct Outcome {
   long error_lines() const { return std::ranges::count(err, '\n'); }
 };
 
+/// A line of shell that runs another in a folder, where it keeps what that prints.
+inline std::string kept(const std::string& line, const TemporaryFolder& in) {
+  return "cd '" + in.path().string() + "' && { " + line + "\n} >.out 2>.err </dev/null";
+}
+
+inline Outcome outcome(int status, const TemporaryFolder& in) {
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(in / ".out"),
+          text_of(in / ".err")};
+}
+
 /// Runs a line of shell in a folder.
 inline Outcome shell(const std::string& line, const TemporaryFolder& in) {
-  const fs::path out = in / ".out", err = in / ".err";
-  const std::string command =
-      "cd '" + in.path().string() + "' && { " + line + "\n} >.out 2>.err </dev/null";
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(out),
-          text_of(err)};
+  return outcome(std::system(kept(line, in).c_str()), in);
 }
 
 /// Runs `vortree ARGUMENTS` in a folder.
 inline Outcome call(const std::string& arguments, const TemporaryFolder& in) {
   return shell("'" VORTREE_PROGRAM "' " + arguments, in);
+}
+
+/// Waits until a file has more than so many lines, or a process has ended.
+inline void wait_for_lines(const fs::path& file, long lines, pid_t process) {
+  fs::create_directories(file.parent_path());
+  const int changes = inotify_init1(IN_CLOEXEC);
+  inotify_add_watch(changes, file.parent_path().c_str(), IN_MODIFY | IN_MOVED_TO);
+  const int end = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
+  if (changes < 0 || end < 0) throw std::runtime_error("the system tells of no changes");
+  pollfd either[]{{changes, POLLIN, 0}, {end, POLLIN, 0}};
+  char told[4096];
+  while (std::ranges::count(text_of(file), '\n') <= lines)
+    if (poll(either, 2, -1) < 0 || either[1].revents || read(changes, told, sizeof told) < 0) break;
+  close(changes);
+  close(end);
+}
+
+/// Runs `vortree ARGUMENTS` in a folder, with a Ctrl-C once a table has more than so many lines.
+inline Outcome interrupted(const std::string& arguments, const TemporaryFolder& in,
+                           const std::string& table, long lines) {
+  const std::string line = kept("exec '" VORTREE_PROGRAM "' " + arguments, in);
+  const pid_t process = fork();
+  if (process == 0) {
+    execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+    _exit(127);
+  }
+  wait_for_lines(in / table, lines, process);
+  kill(process, SIGINT);
+  int status = 0;
+  waitpid(process, &status, 0);
+  return outcome(status, in);
 }
 
 /// As long as it lives, a shared folder without figure scripts, so that runs are not kept waiting

@@ -1,12 +1,13 @@
 """Runs of the program under some fault, and what must hold after them."""
 
+import ctypes
 import dataclasses
 import os
+import select
 import shutil
 import signal
 import subprocess
 import threading
-import time
 from pathlib import Path
 
 import h5py
@@ -98,15 +99,28 @@ def has_frames(folder):
         return False
 
 
+IN_MODIFY, IN_MOVED_TO, IN_CREATE = 0x2, 0x80, 0x100  # of sys/inotify.h
+
+
+def lines_of(file):
+    return file.read_text().count("\n") if file.exists() else 0
+
+
 def wait_for_rows(process, folder, rows):
     """Until report.csv has so many rows, or the run has ended."""
-    while process.poll() is None:
-        try:
-            if (folder / "report.csv").read_text().count("\n") > rows:
-                return
-        except OSError:
-            pass
-        time.sleep(0.002)
+    folder.mkdir(exist_ok=True)
+    system = ctypes.CDLL(None, use_errno=True)
+    changes, end = system.inotify_init1(os.O_CLOEXEC), os.pidfd_open(process.pid)
+    wanted = IN_MODIFY | IN_MOVED_TO | IN_CREATE
+    assert system.inotify_add_watch(changes, os.fsencode(folder), wanted) >= 0, ctypes.get_errno()
+    while lines_of(folder / "report.csv") <= rows:
+        told = select.select([changes, end], [], [], PATIENCE)[0]
+        if end in told:
+            break
+        assert told, f"no row {rows} of {folder}"
+        os.read(changes, 4096)
+    os.close(changes)
+    os.close(end)
 
 
 def wait_for_end(process):

@@ -3,10 +3,8 @@
 import errno
 import resource
 import signal
-import time
 
-from bench import (Trial, has_frames, require_clean, require_recovery, wait_for_end,
-                   wait_for_rows)
+from bench import Trial, has_frames, require_clean, require_recovery
 
 CALLS = {"read": errno.EIO, "write": errno.ENOSPC, "fsync": errno.EIO, "open": errno.EACCES,
          "rename": errno.EROFS, "link": errno.EIO, "unlink": errno.EPERM,
@@ -14,29 +12,26 @@ CALLS = {"read": errno.EIO, "write": errno.ENOSPC, "fsync": errno.EIO, "open": e
          "flock": errno.ENOLCK}
 
 
-def kills_at_random(bench, count, random):
-    """Up to three times a run, some milliseconds behind a row of the report."""
+def kills_in_a_row(bench, count, random):
+    """Up to three times a run, each at any call of the system."""
+    total = {scene: bench.calls(scene, "all") for scene in bench.scenes}
     for k in range(count):
         scene = bench.scenes[k % len(bench.scenes)]
-        rows = sorted(random.sample(range(8), random.randint(1, 3)))
-        pause = random.uniform(0, 0.02)
+        calls = [random.randint(1, total[scene]) for _ in range(random.randint(1, 3))]
 
-        def act(scene=scene, rows=rows, pause=pause):
+        def act(scene=scene, calls=calls):
             folder = bench.folder()
             words = []
-            for row in rows:
-                process = bench.start(scene, folder, *words)
-                wait_for_rows(process, folder, row)
-                time.sleep(pause)
-                process.kill()
-                end = wait_for_end(process)
+            for at in calls:
+                faults = dict(calls="all", at=at, how="kill", folder=folder)
+                end = bench.run(scene, folder, *words, faults=faults)
                 require_clean(end, (signal.SIGKILL,))
                 if end.code == 0:
                     break
                 words = ["--resume"] if end.code == -signal.SIGKILL and has_frames(folder) else []
             return require_recovery(bench, scene, folder, end, (signal.SIGKILL,))
 
-        yield Trial("kill at a random moment", f"{scene} after rows {rows}, {pause} s", act)
+        yield Trial("kills in a row", f"{scene} at calls {calls}", act)
 
 
 def under(bench, scene, resumed, **faults):
@@ -97,4 +92,4 @@ def limited(bench, scene, what, most):
     return require_recovery(bench, scene, folder, end)
 
 
-KINDS = (kills_at_random, kills_at_calls, failing_calls, full_disk)
+KINDS = (kills_in_a_row, kills_at_calls, failing_calls, full_disk)

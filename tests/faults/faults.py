@@ -9,8 +9,8 @@ bit for bit but for seconds; or one line that says why not, with exit code 2, af
 --overwrite gives the same results. Never a signal that nobody sent, never words of a library's
 inside, never different results, never a file left over.
 
-PRELOAD is the library made from faults.c. --trials: how many kills at random moments, and in
-proportion the damages of each kind and the places of failing calls (12); --all: more scenes.
+PRELOAD is the library made from faults.c. --trials: how many runs are killed up to three times, and
+in proportion the damages of each kind and the places of failing calls (12); --all: more scenes.
 """
 
 import argparse

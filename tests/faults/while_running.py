@@ -6,7 +6,6 @@ import random
 import resource
 import shutil
 import signal
-import time
 
 import h5py
 
@@ -74,7 +73,6 @@ def spoiled_while_running(bench, count, random):
                 process = long_run(scene, folder, bench, **who)
                 wait_for_rows(process, folder, random.randint(4, 9))
                 deed(folder / (name or ""))
-                time.sleep(0.01)
                 end = wait_for_end(process)
                 require_clean(end)
                 assert end.code == 1, end

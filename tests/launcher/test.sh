@@ -29,7 +29,7 @@ claim() {
   mkdir "$project"
   chmod 755 "$machine" "${project%/*}"
   local basic
-  for basic in bash chmod env cat cut dirname find flock grep mkdir nproc readlink rm sleep tail; do
+  for basic in bash chmod env cat cut dirname find flock grep mkdir nproc readlink rm tail tee; do
     ln -s "$(command -v "$basic")" "$machine/$basic"
   done
   cp "$launcher" "$project/vortree"
@@ -138,8 +138,14 @@ expect steps "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"configured"$'\n'"n
 
 claim "two calls at once build one after the other"
 apt $packages; builders
-tool ninja '[[ -e $project/busy ]] && echo clash >>"$project/steps"
-  : >"$project/busy"; sleep 0.3; rm "$project/busy"'
+# The first to build goes on when the other waits for it, or clashes with it.
+mkfifo "$project/other"
+rm "$machine/flock"
+tool flock '[[ $1 == -n ]] || echo waits >"$project/other"
+  exec '"$(command -v flock)"' "$@"'
+tool ninja '[[ -e $project/built ]] && exit
+  mkdir "$project/busy" || { echo clash | tee -a "$project/steps" >"$project/other"; exit; }
+  read -r _ <"$project/other"; : >"$project/built"'
 (cd "$project" && PATH=$machine ./vortree cases) >/dev/null 2>&1 &
 call "$project" ./vortree cases
 wait

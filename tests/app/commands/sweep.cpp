@@ -167,13 +167,8 @@ TEST_CASE("a sweep that is stopped says where, leaves 1, and goes on from there"
   const TemporaryFolder folder;
   const NoFigures quick(folder);
   folder.write("vortex.toml", lone_vortex);
-  const auto stopped =
-      shell("'" VORTREE_PROGRAM
-            "' run vortex.toml time.end=0.08,1000 --out broken &\n"
-            "until [ \"$(grep -c '' broken/time.end=1000/report.csv)\" -gt 3 ]; do sleep 0.01; done"
-            " 2>/dev/null\n"
-            "kill -INT $!; wait $!",
-            folder);
+  const auto stopped = interrupted("run vortex.toml time.end=0.08,1000 --out broken", folder,
+                                   "broken/time.end=1000/report.csv", 3);
   CAPTURE(stopped.err);
   CHECK(stopped.code == 1);
   CHECK(last_line(stopped.err) == "vortree: the sweep has stopped in run 2 of 2");

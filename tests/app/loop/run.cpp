@@ -72,12 +72,7 @@ TEST_CASE("a run that is interrupted and resumed ends as one that never was, bit
   folder.write("vortex.toml", vortex);
   folder.write("same_run.py", same_run);
   const auto stopped =
-      shell("'" VORTREE_PROGRAM
-            "' run vortex.toml time.end=50 --out broken &\n"
-            "until [ \"$(grep -c '' broken/report.csv)\" -gt 8 ]; do sleep 0.01; done"
-            " 2>/dev/null\n"
-            "kill -INT $!; wait $!",
-            folder);
+      interrupted("run vortex.toml time.end=50 --out broken", folder, "broken/report.csv", 8);
   CAPTURE(stopped.err);
   CHECK(stopped.code == 1);
   CHECK(stopped.error_lines() == 1);
