@@ -3,32 +3,25 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include <CLI/CLI.hpp>
+#include <CLI/Error.hpp>
 #include <cerrno>
-#include <charconv>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <new>
-#include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <system_error>
-#include <type_traits>
 
-#include "app/commands/bench.hpp"
 #include "app/commands/check.hpp"
-#include "app/commands/neighbors.hpp"
 #include "app/commands/plot.hpp"
 #include "app/commands/sweep.hpp"
-#include "app/commands/velocity.hpp"
+#include "app/grammar.hpp"
 #include "app/install_paths.hpp"
-#include "app/loop/run.hpp"
 #include "app/say.hpp"
 #include "base/free_memory.hpp"
 #include "base/memory.hpp"
@@ -40,266 +33,10 @@ namespace {
 
 constexpr int done = 0, failed = 1, wrong_input = 2;
 
-// All that a command line can say.
-struct Words {
-  RunOptions run;
-  VelocityJob velocity;
-  NeighborsJob neighbors;
-  TreeBenchJob bench;
-  std::string benched;
-  std::string scene;
-  std::vector<std::string> overrides;
-  bool keys = false;
-  std::string folder;
-  int threads = 0;
-};
-
 int complain(std::string message, int code) {
   while (!message.empty() && message.back() == '\n') message.pop_back();
   say_line(message);
   return code;
-}
-
-/// The number that all of a word says, if a T can hold it.
-template <class T>
-std::optional<T> number_in(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  T value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
-
-/// Holds a word to what it must be before it is read as a T.
-template <class T, class Holds>
-CLI::Validator must_be(const std::string& wanted, Holds holds) {
-  return {[=](const std::string& word) {
-            const std::optional<T> value = number_in<T>(word);
-            if (value && holds(*value)) return std::string();
-            return fmt::format("{} is no {}", io::shortened(word, 40), wanted);
-          },
-          ""};
-}
-
-/// A whole number, ends included.
-template <class T>
-CLI::Validator within(T low, T high) {
-  return must_be<T>(fmt::format("whole number from {} to {}", low, high),
-                    [=](T value) { return low <= value && value <= high; });
-}
-
-/// A whole number, whose range the library knows.
-CLI::Validator whole() {
-  return must_be<int>("whole number of up to nine digits", [](int) { return true; });
-}
-
-constexpr int most_threads = 4096, most_repeats = 1000000;
-
-/// An empty one is what a script leaves of a variable that it has not set: not the default.
-const CLI::Validator a_name(
-    [](const std::string& word) { return word.empty() ? "the name is empty" : std::string(); }, "");
-
-/// One of these words, and nothing else, becomes its value.
-template <class Value>
-CLI::Validator one_of(const std::map<std::string, Value>& known) {
-  std::string words;
-  for (const auto& [word, value] : known) words += (words.empty() ? "" : ",") + word;
-  return {[=](std::string& word) {
-            const auto found = known.find(word);
-            if (found == known.end())
-              return fmt::format("{} not in {{{}}}", io::shortened(word, 40), words);
-            word = fmt::format("{}", static_cast<int>(found->second));
-            return std::string();
-          },
-          ":{" + words + "}"};
-}
-
-void add_threads(CLI::App& command, Words& words) {
-  command.add_option("--threads", words.threads, "threads; all by default")
-      ->check(within(1, most_threads))
-      ->type_name("N");
-}
-
-CLI::Option* add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
-  auto* wanted =
-      command.add_option("SCENE", scene, "a TOML file, or the name of a case")->required();
-  command.add_option("key=value", overrides, "instead of what the scene says: table.key=value")
-      ->check([](const std::string& word) {
-        return word.find('=') == std::string::npos
-                   ? "expected table.key=value, not " + io::shortened(word, 60)
-                   : std::string();
-      })
-      ->type_name("");
-  return wanted;
-}
-
-void add_run(CLI::App& program, Words& words) {
-  auto& command = *program.add_subcommand("run", "run a scene");
-  add_scene(command, words.run.scene, words.run.overrides);
-  command.add_option("--out", words.run.out, "folder for the results; by default runs/SCENE")
-      ->check(a_name)
-      ->type_name("DIR");
-  auto* resume =
-      command.add_flag("--resume", words.run.resume, "go on from the last frame in that folder");
-  command.add_flag("--overwrite", words.run.overwrite, "replace the run that is in that folder")
-      ->excludes(resume);
-  add_threads(command, words);
-  command.footer(
-      "example: vortree run cylinder_re550 time.end=1 --out runs/short\n"
-      "a list runs one after the other: vortree run lamb_oseen cores.sigma_max=0.06,0.05");
-}
-
-void add_check(CLI::App& program, Words& words) {
-  auto& command =
-      *program.add_subcommand("check", "read a scene, print it with every default written out");
-  auto* scene = add_scene(command, words.scene, words.overrides);
-  command
-      .add_flag_callback(
-          "--keys",
-          [&words, scene] {
-            words.keys = true;
-            scene->required(false);
-          },
-          "print what keys a scene may have instead: default, unit, limits, what each is")
-      ->excludes(scene);
-}
-
-void add_velocity(CLI::App& program, Words& words) {
-  using fmm::Builder;
-  static const std::map<std::string, Builder> builders{{"reverse", Builder::reverse},
-                                                       {"forward", Builder::forward}};
-  auto& job = words.velocity;
-  auto& command =
-      *program.add_subcommand("velocity", "velocities of the vortices of a particle file");
-  command
-      .add_option("IN", job.in,
-                  "HDF5 file with x, y, gamma and, unless they are bare vortices, sigma")
-      ->required();
-  command.add_option("--out", job.out, "HDF5 file for u, v")
-      ->required()
-      ->check(a_name)
-      ->type_name("FILE");
-  command.add_option("--tolerance", job.options.tolerance, "relative L2 error that may be made")
-      ->check(must_be<double>("number between 0 and 1", [](double t) { return t > 0 && t < 1; }))
-      ->type_name("REAL")
-      ->capture_default_str();
-  command.add_option("--method", job.method, "how to sum")
-      ->check(CLI::IsMember(velocity_methods()))
-      ->type_name("NAME")
-      ->capture_default_str();
-  command.add_option("--builder", job.options.builder, "how to build the tree")
-      ->transform(one_of(builders))
-      ->type_name("NAME")
-      ->default_str("reverse");
-  command
-      .add_option("--targets", job.targets,
-                  "HDF5 file with x, y: velocities there, not at the vortices")
-      ->check(a_name)
-      ->type_name("FILE");
-  command
-      .add_option("--order", job.options.order, "terms of an expansion; 0: as the tolerance needs")
-      ->check(whole())
-      ->type_name("P")
-      ->capture_default_str();
-  command
-      .add_option("--capacity", job.options.capacity,
-                  "most vortices in a childless cell; 0: chosen")
-      ->check(within<std::uint32_t>(0, std::numeric_limits<std::uint32_t>::max()))
-      ->type_name("N")
-      ->capture_default_str();
-  command.add_option("--level", job.options.finest_level, "finest level of the tree")
-      ->check(whole())
-      ->type_name("L")
-      ->capture_default_str();
-  command.add_flag("--verify", job.verify,
-                   "compare with a direct sum in long double at 1000 random targets");
-  command.add_option("--repeat", job.repeat, "sum so many times, report median times")
-      ->check(within(1, most_repeats))
-      ->type_name("K")
-      ->capture_default_str();
-  add_threads(command, words);
-  command.footer("example: vortree velocity wake.h5 --out uv.h5 --tolerance 1e-9 --verify");
-}
-
-void add_neighbors(CLI::App& program, Words& words) {
-  using tree::PairRule;
-  static const std::map<std::string, PairRule> rules{
-      {"max", PairRule::max}, {"mean", PairRule::mean}, {"own", PairRule::own}};
-  auto& job = words.neighbors;
-  auto& command =
-      *program.add_subcommand("neighbors", "neighbors of the particles of a particle file");
-  command.add_option("IN", job.in, "HDF5 file with x, y, reach")->required();
-  command
-      .add_option("--out", job.out,
-                  "HDF5 file for start (n + 1), index: the neighbors of particle i are "
-                  "index[start[i]], ..., index[start[i + 1] - 1]")
-      ->required()
-      ->check(a_name)
-      ->type_name("FILE");
-  command
-      .add_option("--rule", job.rule,
-                  "neighbors are nearer than the larger reach, the mean, the particle's own")
-      ->transform(one_of(rules))
-      ->type_name("NAME")
-      ->default_str("max");
-  command.add_option("--method", job.method, "how to search")
-      ->check(CLI::IsMember(neighbor_methods()))
-      ->type_name("NAME")
-      ->capture_default_str();
-  command.add_flag("--half", job.half, "list each pair once");
-  command.add_option("--repeat", job.repeat, "search so many times, report median times")
-      ->check(within(1, most_repeats))
-      ->type_name("K")
-      ->capture_default_str();
-  add_threads(command, words);
-  command.footer("example: vortree neighbors sph.h5 --out rows.h5 --rule mean --half");
-}
-
-void add_bench(CLI::App& program, Words& words) {
-  auto& command = *program.add_subcommand(
-      "bench",
-      "measure every way to a tree, to velocities, or to neighbors; writes CSV files and figures");
-  command.add_option("WHAT", words.benched, "what to measure")
-      ->required()
-      ->check(CLI::IsMember({"trees", "velocity", "neighbors"}));
-  command
-      .add_option("--out", words.bench.out, "folder for the results; by default runs/bench_WHAT")
-      ->check(a_name)
-      ->type_name("DIR");
-  command.add_flag("--overwrite", words.bench.overwrite, "replace the tables in that folder");
-  command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes, not half an hour");
-  command
-      .add_option("--threads", words.bench.threads, "measured beside one thread; all by default")
-      ->check(within(1, most_threads))
-      ->type_name("N");
-  command
-      .add_option("--largest", words.bench.largest,
-                  "most points of a set; by default 4000000 (trees 10000000), quick 1000000")
-      ->check(within<std::size_t>(100, 100000000))
-      ->type_name("N");
-  command
-      .add_option("--blobs", words.bench.blobs,
-                  "trees: the frames.h5 of a run, of which some moments are measured, too")
-      ->check(a_name)
-      ->type_name("FILE");
-  command.footer("example: vortree bench velocity --quick --out quick");
-}
-
-std::unique_ptr<CLI::App> grammar(Words& words) {
-  auto made = std::make_unique<CLI::App>("Vortex and particle methods on one quadtree.", "vortree");
-  CLI::App& program = *made;
-  program.set_version_flag("--version", "vortree " + version());
-  program.require_subcommand(0, 1);
-  program.add_subcommand("cases", "list the scenes that come with the program");
-  add_run(program, words);
-  add_check(program, words);
-  add_velocity(program, words);
-  add_neighbors(program, words);
-  add_bench(program, words);
-  program.add_subcommand("plot", "draw the figures of a run or a bench into its folder")
-      ->add_option("DIR", words.folder, "folder of a run or a bench")
-      ->required();
-  return made;
 }
 
 /// As an option that is given twice.
@@ -342,21 +79,28 @@ int print_velocity(const VelocityJob& job) {
   return report.missed ? complain(*report.missed, failed) : arrived();
 }
 
+// Results in files.
+int run_bench(const std::string& what, const TreeBenchJob& job) {
+  if (what == "trees") bench_trees(job);
+  if (what == "velocity") bench_velocity(job);
+  if (what == "neighbors") bench_neighbors(job);
+  return done;
+}
+
+int print_scene(const Words& words) {
+  refuse_repeated(words.overrides);
+  tell("{}", words.keys ? keys() : check(words.scene, words.overrides));
+  return arrived();
+}
+
 int carry_out(const CLI::App& program, const Words& words) {
   if (words.threads > 0) omp_set_num_threads(words.threads);
   if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
-  if (program.got_subcommand("cases")) tell("{}", list_cases());
-  if (program.got_subcommand("check")) refuse_repeated(words.overrides);
-  if (program.got_subcommand("check"))
-    tell("{}", words.keys ? keys() : check(words.scene, words.overrides));
+  if (program.got_subcommand("check")) return print_scene(words);
   if (program.got_subcommand("velocity")) return print_velocity(words.velocity);
+  if (program.got_subcommand("bench")) return run_bench(words.benched, words.bench);
+  if (program.got_subcommand("cases")) tell("{}", list_cases());
   if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors));
-  if (program.got_subcommand("bench")) {  // results in files
-    if (words.benched == "trees") bench_trees(words.bench);
-    if (words.benched == "velocity") bench_velocity(words.bench);
-    if (words.benched == "neighbors") bench_neighbors(words.bench);
-    return done;
-  }
   if (program.got_subcommand("plot")) plot_folder(words.folder);
   return arrived();
 }
