@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace vortree {
 
 /// A vector of the plane.
@@ -10,6 +12,8 @@ struct Vec2 {
   friend Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
   Vec2& operator+=(Vec2 a) { return *this = *this + a; }
   friend double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+  /// Of length 1 along a, whose length lies within 1e-300 .. 1e300.
+  friend Vec2 unit(Vec2 a) { return (1 / std::hypot(a.x, a.y)) * a; }
 };
 
 }  // namespace vortree

@@ -1,7 +1,5 @@
 #include "body/bodies.hpp"
 
-#include <cmath>
-
 namespace vortree::body {
 
 Motion motion_of(const std::optional<PlungeSettings>& plunge,
@@ -9,7 +7,7 @@ Motion motion_of(const std::optional<PlungeSettings>& plunge,
   Motion of;
   if (plunge) {
     const auto [x, y] = plunge->direction;
-    of.plunge = {plunge->amplitude * ((1 / std::hypot(x, y)) * Vec2{x, y}), plunge->frequency};
+    of.plunge = {plunge->amplitude * unit(Vec2{x, y}), plunge->frequency};
   }
   if (motion) of.spin = {motion->spin};
   return of;

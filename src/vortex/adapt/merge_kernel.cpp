@@ -8,7 +8,8 @@ namespace vortree::vortex::merge_kernel {
 
 namespace {
 
-Vec2 unit(Vec2 a) {
+/// Of length 1 along a sum of normals: its square neither over- nor underflows.
+Vec2 normalized(Vec2 a) {
   return (1 / std::sqrt(dot(a, a))) * a;
 }
 
@@ -20,7 +21,7 @@ void merge_at_wall(AdaptedBlob& p, const AdaptedBlob& q, double w, Covariance& s
   const AtWall& other = at_wall[q.at_wall != no_wall ? q.at_wall : slot];
   const Vec2 offset_p = p.at_wall != no_wall ? at_wall[p.at_wall].offset : Vec2{};
   const Vec2 offset_q = q.at_wall != no_wall ? at_wall[q.at_wall].offset : Vec2{};
-  normal = unit(at_wall[slot].normal + other.normal);
+  normal = normalized(at_wall[slot].normal + other.normal);
   const Vec2 tangent{-normal.y, normal.x};
   const Vec2 apart = p.centre() - q.centre(), folded_apart = apart + offset_p - offset_q;
   spread = {dot(normal, apart) * dot(normal, apart),

@@ -14,10 +14,6 @@ Vec2 centre_of(const Wall& wall) {
   return (1.0 / static_cast<double>(wall.panels())) * sum;
 }
 
-Vec2 unit(Vec2 a) {
-  return (1 / std::hypot(a.x, a.y)) * a;
-}
-
 /// Distance from `from` along `direction` to the wall (from the inside out).
 double way_out(const Wall& wall, Vec2 from, Vec2 direction) {
   double farthest = 0;
