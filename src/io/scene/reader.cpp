@@ -180,10 +180,17 @@ void read_table(const Document& document, std::string_view name, const toml::tab
   }
 }
 
+/// With the keys that have no default.
+[[noreturn]] void refuse_missing(const Document& document, const SceneTable& table) {
+  std::vector<Key> wanted = table.keys();
+  std::erase_if(wanted, [](const Key& key) { return !key.rule.required && !key.rule.chosen; });
+  document.refuse("", fmt::format("the table [{}] is missing; [{}] with {} was expected",
+                                  table.name, table.name, listed(names_of(wanted))));
+}
+
 void read_table(const Document& document, const SceneTable& table) {
   const toml::node* node = document.root().get(table.name);
-  if (!node && table.required)
-    document.refuse("", fmt::format("the table [{}] is missing", table.name));
+  if (!node && table.required) refuse_missing(document, table);
   if (!node) return;
   if (!node->is_table()) {
     document.refuse(table.name,

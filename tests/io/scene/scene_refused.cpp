@@ -114,7 +114,9 @@ TEST_CASE("keys that need others say which") {
   CHECK(refused(with("circulation = 1\n", "")) ==
         "cases/ring.toml:9: [initial] needs the key circulation");
   CHECK(refused("[flow]\nnu = 1\n[cores]\nsigma_0 = 1\nsigma_max = 1\n") ==
-        "cases/ring.toml: the table [time] is missing");
+        "cases/ring.toml: the table [time] is missing; [time] with dt, end was expected");
+  CHECK(refused("[time]\ndt = 1\nend = 1\n[cores]\nsigma_0 = 1\nsigma_max = 1\n") ==
+        "cases/ring.toml: the table [flow] is missing; [flow] with nu was expected");
   CHECK_THAT(
       refused(with("sigma_0 = 0.05\n", "")),
       StartsWith("cases/ring.toml:5: [cores] needs the key sigma_0, or the scene `accuracy`"));
