@@ -1,5 +1,6 @@
 """What the figures share: a look, and a way to read the folder that a run leaves."""
 
+import os
 import sys
 import tomllib
 from functools import cached_property
@@ -99,9 +100,12 @@ class Run:
 
     @cached_property
     def _attributes(self):
+        """Texts are UTF-8, but for names of files that are not."""
+        def plain(value):
+            return value.decode(errors="surrogateescape") if isinstance(value, bytes) else value
+
         with self.hdf5("frames.h5") as file:
-            return {name: value.decode() if isinstance(value, bytes) else value
-                    for name, value in file.attrs.items()}
+            return {name: plain(value) for name, value in file.attrs.items()}
 
     @cached_property
     def scene(self):
@@ -240,4 +244,4 @@ def main(name, draw):
     except Broken as error:
         sys.exit(str(error))
     save(made, run.folder / name)
-    print(run.folder / name)
+    print(os.fsencode(run.folder / name).decode(errors="backslashreplace"))

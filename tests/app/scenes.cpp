@@ -141,6 +141,22 @@ TEST_CASE("every run that a page of the project names is of a valid scene") {
   CHECK(runs > 10);
 }
 
+TEST_CASE("a run of a scene whose name is no UTF-8 has its figures") {
+  const TemporaryFolder folder;
+  const fs::path plots = fs::path(vortree::app::share_folder()) / "plots";
+  fs::create_directory(folder / "plots");
+  for (const char* script : {"_style.py", "cost.py"})
+    fs::copy_file(plots / script, folder.path() / "plots" / script);
+  folder.write("caf\xe9.toml", text_of(plots / "../cases/lamb_oseen.toml"));
+  setenv("VORTREE_SHARE", folder.path().c_str(), 1);
+  const auto ran = call("run caf\xe9.toml time.end=0.1", folder);
+  unsetenv("VORTREE_SHARE");
+  CAPTURE(ran.err);
+  CHECK(ran.code == 0);
+  CHECK(ran.out.starts_with("runs/caf\\xe9/cost.png\n"));
+  CHECK(fs::exists(folder / "runs/caf\xe9/cost.png"));
+}
+
 TEST_CASE("plot hands the folder to every script, and reports the one that fails") {
   const TemporaryFolder folder;
   fs::create_directory(folder / "plots");
