@@ -8,9 +8,9 @@ namespace vortree::app {
 /// Draws every figure that the files of a run or a bench allow: runs each script of plots/ with the
 /// folder as its one argument, one after another, all in one /usr/bin/python3.
 ///
-/// plots/X.py draws X.png into the folder and prints its name; where the folder lacks what it needs,
-/// it writes nothing and leaves with 0. A figure shows the other files of its folder, so that an
-/// older one of them is replaced.
+/// plots/X.py draws X.png into the folder and prints its name; where the folder lacks what it
+/// needs, it writes nothing and leaves with 0. A figure shows the other files of its folder, so
+/// that an older one of them is replaced.
 ///
 /// kind     only scripts whose names begin with it: "neighbors", "trees", "velocity"
 /// returns  whether there was anything to draw

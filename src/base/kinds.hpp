@@ -11,9 +11,9 @@
 
 #include "base/keys.hpp"
 
-// Things of several kinds that a scene can name, each with keys of its own: shapes of bodies, initial
-// flows. A kind is one object in a file of its own, which says what it is called and which numbers
-// it has; a list names all kinds. The table that names the kind has the keys of them all.
+// Things of several kinds that a scene can name, each with keys of its own: shapes of bodies,
+// initial flows. A kind is one object in a file of its own, which says what it is called and which
+// numbers it has; a list names all kinds. The table that names the kind has the keys of them all.
 
 namespace vortree {
 

@@ -37,8 +37,8 @@ struct Tip {
 /// A circle about its centre, of whatever shape: it has no tip, and can turn in its place.
 [[nodiscard]] bool round(const BodySettings& body);
 
-/// Half the sides of the rectangle about its centre, along the axes of the scene, that the body just
-/// fills, to 1e-7 of its length.
+/// Half the sides of the rectangle about its centre, along the axes of the scene, that the body
+/// just fills, to 1e-7 of its length.
 [[nodiscard]] std::array<double, 2> half_extent(const BodySettings& body);
 
 /// Whether a point of the scene lies within the body.

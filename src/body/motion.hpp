@@ -31,15 +31,15 @@ struct Plunge {
 
 /// A circle that turns about its centre at a steady rate, from t = 0 on.
 ///
-/// Its outline stays where it is, and only friction tells the fluid of it: the wall moves with Omega
-/// R along itself. Within, the body turns as a vortex of vorticity 2 Omega would; outside, that one
-/// is the circulation
+/// Its outline stays where it is, and only friction tells the fluid of it: the wall moves with
+/// Omega R along itself. Within, the body turns as a vortex of vorticity 2 Omega would; outside,
+/// that one is the circulation
 ///
 ///   2 Omega A
 ///
-/// at the centre (A the body's area), whose velocity along the wall is the wall's own. So a sheet at
-/// the wall has to cancel no more slip than on a body at rest, but the circulation of the fluid is
-/// that of the body with the other sign.
+/// at the centre (A the body's area), whose velocity along the wall is the wall's own. So a sheet
+/// at the wall has to cancel no more slip than on a body at rest, but the circulation of the fluid
+/// is that of the body with the other sign.
 struct Spin {
   double rate = 0;  ///< Omega, anticlockwise [1/s]
 

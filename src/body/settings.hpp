@@ -18,8 +18,8 @@ struct ShapeKind;
 [[nodiscard]] Dimensions numbers_of_shapes();
 
 /// A body of some shape (body/shapes/shapes.hpp) with `panels` wall elements; the scene has none in
-/// free space. The numbers are those of its shape, by name, as in "radius". It is turned clockwise by
-/// `incidence` degrees about its centre.
+/// free space. The numbers are those of its shape, by name, as in "radius". It is turned clockwise
+/// by `incidence` degrees about its centre.
 struct BodySettings {
   const ShapeKind* shape = first_shape();
   Dimensions numbers = numbers_of_shapes();

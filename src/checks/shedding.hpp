@@ -4,7 +4,7 @@
 
 namespace vortree::checks {
 
-/// A wake that sheds vortices: its frequency, and its mean drag and lift, from T = shedding_from on.
+/// A wake that sheds vortices, from T = shedding_from on: its frequency, its mean drag and lift.
 void check_shedding(std::vector<Verdict>& list, const Finished& run);
 
 }  // namespace vortree::checks

@@ -9,8 +9,8 @@ namespace vortree::checks {
 /// off the wall.
 ///
 /// velocity_max   largest difference, as a share of the wall's speed
-/// vorticity_max  the same, as a share of the exact vorticity at the wall; point by point, so that it
-///                counts the noise of splitting and merging, too
+/// vorticity_max  the same, as a share of the exact vorticity at the wall; point by point, so that
+///                it counts the noise of splitting and merging, too
 void check_spin(std::vector<Verdict>& list, const Finished& run);
 
 }  // namespace vortree::checks

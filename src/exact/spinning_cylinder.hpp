@@ -10,9 +10,9 @@ namespace vortree::exact {
 ///   omega(r, t)   = Omega R  2/pi int_0^inf exp(-nu k^2 t) (J0(kr) Y1(kR) - Y0(kr) J1(kR))
 ///                                               / (J1(kR)^2 + Y1(kR)^2) dk
 ///
-/// error   2e-8 of Omega R, and of Omega R/sqrt(nu t), at the wall, for nu t from 1e-5 to 10 R^2; to
-///         R + 8 sqrt(nu t) as near as its twin goes, 6e-6 (tests/vortex/spin.cpp: the inverse of the
-///         Laplace transform; the equation of diffusion itself)
+/// error   2e-8 of Omega R, and of Omega R/sqrt(nu t), at the wall, for nu t from 1e-5 to 10 R^2;
+///         to R + 8 sqrt(nu t) as near as its twin goes, 6e-6 (tests/vortex/spin.cpp: the inverse
+///         of the Laplace transform; the equation of diffusion itself)
 /// cost    two thousand Bessel functions of each kind
 /// source  Carslaw & Jaeger, Conduction of Heat in Solids (1959), 13.5, for the modified problem;
 ///         Lagerstrom, Laminar Flow Theory (1964)

@@ -28,8 +28,8 @@ struct Force {
 ///   C_D(t_n) = 2/(U^2 D) F_n,   F by impulse = -dP/dt
 ///                               F by the wall = d/dt(what pressure has given) + friction at t_n
 ///
-/// by the parabola in sqrt(t) through three, the last of a run by that which fits the last four best
-/// (base/rate_of_change.hpp), O(dt^2).
+/// by the parabola in sqrt(t) through three, the last of a run by that which fits the last four
+/// best (base/rate_of_change.hpp), O(dt^2).
 class ForceHistory {
  public:
   explicit ForceHistory(const Scales& scales) : scales_(scales) {}

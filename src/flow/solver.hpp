@@ -33,8 +33,8 @@ struct FrameTable {
   std::vector<std::string> columns;
 };
 
-/// What a method says of a run that has ended: numbers for summary.json (a dot in a name parts table
-/// and key), and a line for the user or none.
+/// What a method says of a run that has ended: numbers for summary.json (a dot in a name parts
+/// table and key), and a line for the user or none.
 struct Closing {
   Measures numbers;
   std::string words;

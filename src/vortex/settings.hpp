@@ -14,8 +14,8 @@
 
 namespace vortree::vortex {
 
-/// The core of a pair: the mean of both; that of the source; or the mean, with which each blob moves
-/// as the mean over its own core does (Problem::advecting_cores).
+/// The core of a pair: the mean of both; that of the source; or the mean, with which each blob
+/// moves as the mean over its own core does (Problem::advecting_cores).
 enum class PairCores { mean, source, both };
 
 }  // namespace vortree::vortex

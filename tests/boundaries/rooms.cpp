@@ -61,6 +61,22 @@ TEST_CASE("each room has a sentence on the page of its part, and each sentence i
   }
 }
 
+TEST_CASE("a line of a source has at most a hundred characters") {
+  constexpr std::size_t widest = 100;
+  for (const auto& [room, names] : rooms())
+    for (const auto& entry : fs::directory_iterator(root / room)) {
+      const std::string suffix = entry.path().extension().string(), file = entry.path().string();
+      if (suffix != ".hpp" && suffix != ".cpp") continue;
+      std::ifstream lines(file);
+      int number = 1;
+      for (std::string line; std::getline(lines, line); ++number) {
+        if (line.size() <= widest) continue;
+        CAPTURE(file, number, line);
+        CHECK(line.size() <= widest);
+      }
+    }
+}
+
 TEST_CASE("an enumeration is defined once: neither its name nor its values stand anywhere else") {
   const std::regex definition(R"(enum class (\w+)\s*(?::[^{]*)?\{([^}]*)\})"), blanks(R"(\s+)");
   std::map<std::string, std::string> names, values;  // where each was found first

@@ -19,8 +19,8 @@ namespace vortree::app {
 /// of the tables and pictures are forced to the disk, then the frame. So after a kill or a power
 /// failure at any moment the last frame that agrees with its checksum has all that belongs before
 /// it; what is later is dropped and made again. frames.xdmf only repeats frames.h5, outline.csv the
-/// scene: they are not waited for. A new run first takes summary.json away, then empties frames.h5, then the rest: no
-/// summary ever stands beside frames of another run.
+/// scene: they are not waited for. A new run first takes summary.json away, then empties frames.h5,
+/// then the rest: no summary ever stands beside frames of another run.
 class RunFiles {
  public:
   /// report  columns of report.csv

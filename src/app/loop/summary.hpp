@@ -19,9 +19,9 @@ struct Totals {
 };
 
 /// The text of summary.json, what it says of a finished run: the scene, steps and particles at the
-/// end, totals, what the method says at its close, and how it was checked: asked, reached, passed and
-/// status of each; what was not reached has null for both and says why. The seconds of the phases are
-/// read from report.csv in `folder`.
+/// end, totals, what the method says at its close, and how it was checked: asked, reached, passed
+/// and status of each; what was not reached has null for both and says why. The seconds of the
+/// phases are read from report.csv in `folder`.
 std::string summary(const io::Scene& scene, const std::filesystem::path& folder,
                     const flow::Solver& solver, std::span<const std::string> phases,
                     const Totals& totals, std::span<const checks::Verdict> verdicts);

@@ -43,14 +43,15 @@ struct RunInfo {
 ///
 /// columns  of the particles that frames will have; their values do not count
 ///
-/// Layout: the run as attributes of the root with a checksum over them, the dimensions of the columns as attributes of the
-/// group `units`; a group `frame_000025` (step number) for each frame with a dataset a column,
-/// attributes step, time, columns (names and units, in order), checksum and the subgroups `state` and
-/// `view`, the latter the same columns once more as frames.xdmf shows them (points and, if there are
-/// u and v, velocity in rows of three, vertices; 52 bytes a particle). What the root needs lies at the beginning of the file, each frame in one piece
-/// behind the frame before it: a file cut anywhere keeps the frames that lie before the cut. This
-/// holds for runs of up to 4096 frames; more are no error, but then a cut can cost them all (a kill
-/// still costs only one).
+/// Layout: the run as attributes of the root with a checksum over them, the dimensions of the
+/// columns as attributes of the group `units`; a group `frame_000025` (step number) for each frame
+/// with a dataset a column, attributes step, time, columns (names and units, in order), checksum
+/// and the subgroups `state` and `view`, the latter the same columns once more as frames.xdmf shows
+/// them (points and, if there are u and v, velocity in rows of three, vertices; 52 bytes a
+/// particle). What the root needs lies at the beginning of the file, each frame in one piece behind
+/// the frame before it: a file cut anywhere keeps the frames that lie before the cut. This holds
+/// for runs of up to 4096 frames; more are no error, but then a cut can cost them all (a kill still
+/// costs only one).
 ///
 /// throws  InputError if DIR cannot be created or written
 void create_frames(const std::filesystem::path& dir, const RunInfo&,

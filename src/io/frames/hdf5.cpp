@@ -63,8 +63,8 @@ Handle unlocked() {
 Handle small_group() {
   Handle creation = own(H5Pcreate(H5P_GROUP_CREATE), "a property list");
   check(H5Pset_link_creation_order(creation, H5P_CRT_ORDER_TRACKED), "a property list");
-  // In the header, however many: HDF5 1.10 frees what it has not read where it may not read the tree
-  // that it would keep many in.
+  // In the header, however many: HDF5 1.10 frees what it has not read where it may not read the
+  // tree that it would keep many in.
   check(H5Pset_link_phase_change(creation, 1000, 500), "a property list");
   return creation;
 }

@@ -11,8 +11,8 @@ namespace vortree::io {
 
 /// The XDMF page that shows frames to ParaView and meshio: a temporal collection of point clouds
 /// with all columns and, of u and v, the vector velocity, at the physical times. Frames without
-/// particles are left out. `file` is the HDF5 file, relative to the page. Positions and velocities are named as
-/// rows of three, and the vertices as a list, for that is all that every reader takes.
+/// particles are left out. `file` is the HDF5 file, relative to the page. Positions and velocities
+/// are named as rows of three, and the vertices as a list, for that is all that every reader takes.
 /// source  XDMF Model and Format, version 3
 [[nodiscard]] std::string xdmf_text(std::string_view file, std::span<const FrameLabel> frames);
 

@@ -34,8 +34,8 @@ namespace vortree::io {
 /// A scene of which nothing is written yet.
 [[nodiscard]] Scene blank_scene(const flow::Methods& methods);
 
-/// The first key that counts in which two scenes differ, by its dotted name, or "[table]" if but one
-/// of them has it; or nothing. What may follow from others, as an accuracy chooses it, comes last.
+/// The first key that counts in which two scenes differ, by its dotted name, or "[table]" if one
+/// alone has it; or nothing. What may follow from others, as an accuracy chooses it, comes last.
 ///
 /// left_out  says of a dotted name that it does not matter
 [[nodiscard]] std::string first_difference(

@@ -4,12 +4,11 @@
 
 namespace vortree::vortex {
 
-/// Fills in what a scene leaves out: from `accuracy` whatever of cores, time step, merging, velocity
-/// tolerance and panels is not written.
+/// Fills in what a scene leaves out: from `accuracy` whatever of cores, time step, merging,
+/// velocity tolerance and panels is not written.
 ///
 /// With a body of diameter D in a stream U (sqrt(U^2 + V^2) for one that plunges with speeds up to
-/// V), accuracy e the drag's relative error (measured at
-/// Re = 550, where it is set by the cores):
+/// V), accuracy e the drag's relative error (measured at Re = 550, where it is set by the cores):
 ///
 ///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer, at most
 ///                                           sqrt(8 nu dt) (e/0.01)^(1/4), the root from 0.01 on,

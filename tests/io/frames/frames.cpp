@@ -52,7 +52,7 @@ TEST_CASE("a rewound file goes on as if it had never been hurt") {
   CHECK(text_of(box / "frames.xdmf") == text_of(twin / "frames.xdmf"));
   CHECK(std::distance(std::filesystem::directory_iterator(box.path()), {}) == 2);
   SECTION("and survives another cut") {
-    // Four bytes: a checksum of HDF5's, of which one alone may be the zero that is put in its place.
+    // Four bytes: a checksum of HDF5's, of which one alone may be the zero that takes its place.
     std::filesystem::resize_file(frames_in(box), std::filesystem::file_size(frames_in(box)) - 4);
     CHECK(read_last_good(frames_in(box)).last->step == 100);
   }
