@@ -5,16 +5,9 @@
 #include <string>
 
 #include "base/rounded.hpp"
+#include "vortex/tuning.hpp"
 
 namespace vortree::vortex {
-namespace {
-
-constexpr std::size_t many_blobs = 20'000, many_of_late = 5000, many_a_panel = 100;
-constexpr std::size_t many_at_once = 150'000, many_a_panel_at_once = 1000;  // in the first step
-constexpr double wide_children = 0.5;   // of the square of what mergers may leave
-constexpr double most_vorticity = 100;  // of both signs, in U D
-
-}  // namespace
 
 void Growth::add(std::size_t blobs) {
   counts_.push_back(blobs);
@@ -36,11 +29,14 @@ std::size_t Growth::most(double time, const Setup& setup) const {
     if (time < 1.5 * p.dt)
       return std::min(ceiling,
                       std::max({many, many_at_once, times(many_a_panel_at_once * panels)}));
-    return std::min(ceiling, std::max(many, 3 * before + times(many_a_panel * panels)));
+    return std::min(ceiling,
+                    std::max(many, too_many_times * before + times(many_a_panel * panels)));
   }
   const bool settled = counts_.size() == 6 && !(setup.wall && time < 12.5 * p.dt);
-  const std::size_t soon = std::max(many, 3 * before),
-                    later = settled ? std::max(times(many_of_late), 3 * counts_.front()) : soon;
+  const std::size_t soon = std::max(many, too_many_times * before),
+                    later = settled
+                                ? std::max(times(many_of_late), too_many_times * counts_.front())
+                                : soon;
   return std::min({ceiling, soon, later});
 }
 

@@ -5,13 +5,10 @@
 
 #include "vortex/blobs/lattice.hpp"
 #include "vortex/choice/scales.hpp"
+#include "vortex/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
-
-/// Blobs of less circulation beside a body are let go [U D]. In a run they add up to less than the
-/// sums of velocities err by, and would outnumber the others (vortex/blobs/outflow.hpp).
-constexpr double faintest = 1e-12;
 
 Vec2 vec(const Pair& a) {
   return {a[0], a[1]};
@@ -78,7 +75,7 @@ Setup setup_of(const VortexCase& scene) {
       .merging = {.tolerance = scene.merging.tolerance,
                   .reach = scene.merging.reach,
                   .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
-      .faintest = made.wall ? faintest * scales.speed * scales.length : 0,
+      .faintest = made.wall ? faintest_kept * scales.speed * scales.length : 0,
       .wall = made.wall.get(),
       .sums = sums_of(scene.velocity),
   };

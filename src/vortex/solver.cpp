@@ -8,13 +8,12 @@
 #include "base/rounded.hpp"
 #include "vortex/blobs/energy.hpp"
 #include "vortex/blobs/moments.hpp"
+#include "vortex/tuning.hpp"
 #include "vortex/wall/near_wake.hpp"
 #include "vortex/wall/vorticity.hpp"
 
 namespace vortree::vortex {
 namespace {
-
-constexpr std::size_t most_for_energy = 20000;
 
 std::vector<double> moved(std::vector<double> column, double by) {
   if (by != 0)

@@ -11,6 +11,7 @@
 #include "vortex/transport/particle_exchange.hpp"
 #include "vortex/transport/random_walk.hpp"
 #include "vortex/transport/spread_cores.hpp"
+#include "vortex/tuning.hpp"
 #include "vortex/wall/forces.hpp"
 #include "vortex/wall/near_wake.hpp"
 
@@ -151,9 +152,8 @@ void scatter(Blobs& blobs, const Problem& p, std::uint64_t number) {
 /// In how many substeps a step is done: after an impulsive start the flow changes as fast as it is
 /// young.
 int substeps_of(const Problem& p, std::uint64_t number) {
-  constexpr std::uint64_t of_first = 8;
-  if (!p.wall || number > of_first) return 1;
-  return static_cast<int>(of_first / std::max<std::uint64_t>(number, 1));
+  if (!p.wall || number > first_substeps) return 1;
+  return static_cast<int>(first_substeps / std::max<std::uint64_t>(number, 1));
 }
 
 /// The problem with a step of dt/substeps, and cores and mergers as they go with it.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vortex/adapt/tuning.hpp"
 #include "vortex/cores/folded_core.hpp"
 
 namespace vortree::vortex {
@@ -46,7 +47,7 @@ Blobs pack(const AdaptedBlobs& adapted, const body::Shape* wall) {
   const std::ptrdiff_t n = std::ssize(adapted.all);
   Blobs blobs;
   blobs.resize(n);
-#pragma omp parallel for schedule(dynamic, 512)
+#pragma omp parallel for schedule(dynamic, blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const AdaptedBlob& p = adapted.all[i];
     Placed blob{p.centre(), p.core()};

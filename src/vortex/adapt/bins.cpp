@@ -1,5 +1,7 @@
 #include "vortex/adapt/bins.hpp"
 
+#include "vortex/adapt/tuning.hpp"
+
 namespace vortree::vortex {
 
 Bins::Bins(std::span<const double> x, std::span<const double> y, double side) : side_(side) {
@@ -8,7 +10,7 @@ Bins::Bins(std::span<const double> x, std::span<const double> y, double side) : 
     const auto [x0, x1] = std::minmax_element(x.begin(), x.end());
     const auto [y0, y1] = std::minmax_element(y.begin(), y.end());
     const double width = *x1 - *x0, height = *y1 - *y0;
-    const double most = 16.0 * static_cast<double>(n);
+    const double most = bins_a_blob * static_cast<double>(n);
     side_ = std::max({side_, std::sqrt(width * height / most), width / most, height / most});
     x0_ = *x0;
     y0_ = *y0;

@@ -11,6 +11,7 @@
 #include "vortex/adapt/bins.hpp"
 #include "vortex/adapt/merge_kernel.hpp"
 #include "vortex/adapt/merge_windows.hpp"
+#include "vortex/adapt/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -18,10 +19,6 @@ namespace {
 using merge_kernel::Limits;
 using merge_kernel::MergeChoice;
 using merge_kernel::none;
-
-/// At candidates, in the mean of a blob: flows that went well took at most 33. And a second's work,
-/// which a few blobs may take anyway.
-constexpr std::size_t most_looks = 2000, few_looks = 100'000'000;
 
 /// Merges like signed blobs wherever they are, until no pair is left.
 class Remainder {
@@ -76,8 +73,8 @@ Remainder::Remainder(std::span<AdaptedBlob> adapted, std::span<AtWall> at_wall,
     : adapted_(adapted),
       at_wall_(at_wall),
       limits_(merging),
-      side_(4 * merging.sigma_max),
-      bins_(binned(adapted, merging.reach * merging.sigma_max / 4)),
+      side_(seekers_side * merging.sigma_max),
+      bins_(binned(adapted, merging.reach * merging.sigma_max / bins_a_reach)),
       slot_(adapted.size()),
       choice_(adapted.size()),
       paired_(adapted.size()) {
@@ -150,13 +147,13 @@ void Remainder::seek_alone(Number i) {
 
 /// Those who seek choose among all, then all are offered to those they have chosen.
 void Remainder::choose(std::span<const Number> seeking) {
-  constexpr std::size_t chunk = 256;
-  const std::size_t chunks = (seeking.size() + chunk - 1) / chunk;
+  const std::size_t turns = (seeking.size() + seekers_a_turn - 1) / seekers_a_turn;
   // When all seek, neighbors look at the same candidates; few seldom are neighbors.
   const bool together = seeking.size() == adapted_.size();
 #pragma omp parallel for schedule(dynamic, 1)
-  for (std::size_t c = 0; c < chunks; ++c) {
-    auto left = seeking.subspan(c * chunk).first(std::min(chunk, seeking.size() - c * chunk));
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    auto left = seeking.subspan(turn * seekers_a_turn);
+    left = left.first(std::min(seekers_a_turn, left.size()));
     if (!together)
       for (Number i : left) seek_alone(i);
     else
@@ -231,9 +228,8 @@ void merge_remainder(AdaptedBlobs& adapted, const Merging& merging) {
       std::ranges::find_if(adapted.all, [](const AdaptedBlob& p) { return p.gamma < 0; });
   const std::size_t split = negative - adapted.all.begin(), n = adapted.all.size();
   const std::array borders{std::size_t{0}, split, n};
-  // Few threads are put to better use by a sign each than by what is parallel within one.
   const int threads = omp_get_max_threads();
-  const bool both = split > 0 && split < n && threads > 1 && threads <= 4;
+  const bool both = split > 0 && split < n && threads > 1 && threads <= threads_by_sign;
   std::array<bool, 2> merged{true, true};
 #pragma omp parallel for schedule(static, 1) num_threads(2) if (both)
   for (int sign = 0; sign < 2; ++sign) {
@@ -253,14 +249,13 @@ void merge_remainder(AdaptedBlobs& adapted, const Merging& merging) {
 
 void merge_close(AdaptedBlobs& adapted, const Merging& merging) {
   if (merging.tolerance <= 0 || adapted.all.size() < 2) return;
-  // What lies within a core or so merges in windows. Farther partners are for weak vorticity, where
-  // sigma_max is what limits mergers: taken at a window's border they would leave more blobs.
+  // What lies within a core or so merges in windows.
   Merging near = merging;
   double shift = 0;
-  for (double cores : {1.2, 1.5}) {
+  for (double cores : window_reaches) {
     near.reach = std::min(merging.reach, cores);
     merge_in_windows(adapted, near, shift);
-    shift += 0.37;  // no border of a quarter of a tile is one again
+    shift += window_shift;
   }
   merge_remainder(adapted, merging);
 }

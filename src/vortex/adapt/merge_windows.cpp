@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "vortex/adapt/merge_kernel.hpp"
+#include "vortex/adapt/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -16,20 +17,20 @@ namespace {
 using merge_kernel::Limits;
 using merge_kernel::MergeWindow;
 
-constexpr int across = 16;  // cells of a tile along its side
+constexpr int cells = cells_across * cells_across;  // of a tile
 
 /// Place of each cell of a tile along a Hilbert curve.
-constexpr std::array<std::uint8_t, across * across> hilbert_curve() {
-  std::array<std::uint8_t, across * across> place{};
-  for (int cell = 0; cell < across * across; ++cell) {
-    int x = cell % across, y = cell / across, along = 0;
-    for (int s = across / 2; s > 0; s /= 2) {
+constexpr std::array<std::uint8_t, cells> hilbert_curve() {
+  std::array<std::uint8_t, cells> place{};
+  for (int cell = 0; cell < cells; ++cell) {
+    int x = cell % cells_across, y = cell / cells_across, along = 0;
+    for (int s = cells_across / 2; s > 0; s /= 2) {
       const bool right = x & s, upper = y & s;
       along += s * s * ((3 * right) ^ upper);
       if (!upper) {
         if (right) {
-          x = across - 1 - x;
-          y = across - 1 - y;
+          x = cells_across - 1 - x;
+          y = cells_across - 1 - y;
         }
         std::swap(x, y);
       }
@@ -58,7 +59,8 @@ class Tiling {
     y0_ = std::floor(along(y0));
     columns_ = std::floor(along(x1)) - x0_ + 1;
     const double rows = std::floor(along(y1)) - y0_ + 1;
-    most_ = std::min(columns_ * rows, 4.0 * static_cast<double>(adapted.size()) + 1024);
+    most_ = std::min(columns_ * rows,
+                     tiles_a_blob * static_cast<double>(adapted.size()) + tiles_anyway);
   }
 
   std::uint32_t size() const {
@@ -74,9 +76,9 @@ class Tiling {
 
   std::uint8_t place_in_tile(const AdaptedBlob& p) const {
     const double x = along(p.x), y = along(upright(p));
-    const int column = static_cast<int>((x - std::floor(x)) * across);
-    const int row = static_cast<int>((y - std::floor(y)) * across);
-    return curve[(row & (across - 1)) * across + (column & (across - 1))];
+    const int column = static_cast<int>((x - std::floor(x)) * cells_across);
+    const int row = static_cast<int>((y - std::floor(y)) * cells_across);
+    return curve[(row & (cells_across - 1)) * cells_across + (column & (cells_across - 1))];
   }
 
  private:
@@ -129,7 +131,7 @@ struct Desk {
 
 /// Few are quickly sorted here; many, by the library.
 void sort_few(std::span<std::uint32_t> numbers, auto less) {
-  if (numbers.size() > 24) return std::sort(numbers.begin(), numbers.end(), less);
+  if (numbers.size() > few_to_sort) return std::sort(numbers.begin(), numbers.end(), less);
   for (std::size_t k = 1; k < numbers.size(); ++k)
     for (std::size_t i = k; i > 0 && less(numbers[i], numbers[i - 1]); --i)
       std::swap(numbers[i], numbers[i - 1]);
@@ -140,8 +142,8 @@ void sort_few(std::span<std::uint32_t> numbers, auto less) {
 void sort_along_curve(std::span<const AdaptedBlob> adapted, const Tiling& tiling, Desk& desk) {
   const std::size_t n = adapted.size();
   desk.place.resize(n);
-  std::array<std::uint32_t, across * across + 1> next{};
-  std::array<std::uint64_t, across * across / 64> shared{};  // cells of several blobs, a bit each
+  std::array<std::uint32_t, cells + 1> next{};
+  std::array<std::uint64_t, cells / 64> shared{};  // cells of several blobs, a bit each
   for (std::size_t i = 0; i < n; ++i) {
     const std::uint8_t c = desk.place[i] = tiling.place_in_tile(adapted[i]);
     if (next[1 + c]++ > 0) shared[c / 64] |= std::uint64_t{1} << c % 64;
@@ -181,7 +183,7 @@ std::uint32_t merge_tile(std::span<AdaptedBlob> adapted, std::span<AtWall> at_wa
 }  // namespace
 
 void merge_in_windows(AdaptedBlobs& adapted, const Merging& merging, double shift) {
-  const Tiling tiling(adapted.all, 4 * merging.sigma_max, shift);
+  const Tiling tiling(adapted.all, tile_side * merging.sigma_max, shift);
   const Limits limits(merging);
   Tiled sorted = tiled(adapted.all, tiling);
   const std::size_t tiles = tiling.size();
@@ -189,7 +191,7 @@ void merge_in_windows(AdaptedBlobs& adapted, const Merging& merging, double shif
 #pragma omp parallel
   {
     Desk desk;
-#pragma omp for schedule(dynamic, 16)
+#pragma omp for schedule(dynamic, tiles_a_turn)
     for (std::size_t t = 0; t < tiles; ++t) {
       const std::uint32_t first = sorted.first[t], count = sorted.first[t + 1] - first;
       if (count > 0)
@@ -199,7 +201,7 @@ void merge_in_windows(AdaptedBlobs& adapted, const Merging& merging, double shif
   }
   std::partial_sum(left.begin(), left.end(), left.begin());
   adapted.all.resize(left[tiles]);
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, moved_tiles_a_turn)
   for (std::size_t t = 0; t < tiles; ++t)
     std::copy_n(sorted.adapted.begin() + sorted.first[t], left[t + 1] - left[t],
                 adapted.all.begin() + left[t]);

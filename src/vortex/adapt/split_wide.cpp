@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/random.hpp"
+#include "vortex/adapt/tuning.hpp"
 #include "vortex/cores/folded_core.hpp"
 
 namespace vortree::vortex {
@@ -118,11 +119,6 @@ struct Mean {
     slope = p.erf;
   }
 };
-
-/// Near the 2/3 that a Gaussian's fourth moment would have: with it the errors of one split after
-/// the other cancel in the growth of a layer at the wall (to 3e-4 of its mean distance; 1e-3 with
-/// 0.6 or 0.7).
-constexpr double usual_share = 0.65;
 
 /// The cross with the parent's mean distance from the wall and mean square of it: of all there are,
 /// the one nearest to the usual share without a shift.
@@ -260,7 +256,7 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
   AdaptedBlobs adapted;
   adapted.all.resize(places.children[n]);
   adapted.at_wall.resize(places.at_wall[n]);
-#pragma omp parallel for schedule(dynamic, 512)
+#pragma omp parallel for schedule(dynamic, blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Vec2 at = blobs.centre(i);
     const Core core = blobs.core(i);

@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/wall/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
-
-constexpr double panels_smoothed = 3, of_radius = 0.25, steepest = 0.25;
-constexpr double support = 4;  // widths: exp(-16) = 1.1e-7
 
 /// A quarter of the radius of curvature at each panel, `panels_smoothed` at most and one at least.
 std::vector<double> allowed_by_bends(const Wall& wall) {
@@ -17,7 +15,7 @@ std::vector<double> allowed_by_bends(const Wall& wall) {
   std::vector<double> w(wall.panels());
   for (std::size_t i = 0; i < w.size(); ++i) {
     const double bend = std::abs(wall.shape().nearest(wall.middle(i)).curvature);
-    w[i] = std::clamp(of_radius / bend, b, panels_smoothed * b);
+    w[i] = std::clamp(smoothed_of_radius / bend, b, panels_smoothed * b);
   }
   return w;
 }
@@ -38,9 +36,9 @@ AlongWall::AlongWall(const Wall& wall)
   std::vector<double>& w = smoothed_over_;
   const std::size_t n = w.size();
   for (std::size_t k = 1; k <= 2 * n; ++k) {  // twice around, either way
-    w[k % n] = std::min(w[k % n], w[(k - 1) % n] + steepest * panel_length_);
+    w[k % n] = std::min(w[k % n], w[(k - 1) % n] + steepest_smoothing * panel_length_);
     w[(2 * n - k) % n] =
-        std::min(w[(2 * n - k) % n], w[(2 * n - k + 1) % n] + steepest * panel_length_);
+        std::min(w[(2 * n - k) % n], w[(2 * n - k + 1) % n] + steepest_smoothing * panel_length_);
   }
 }
 
@@ -51,7 +49,7 @@ void AlongWall::add(const Trace& trace, std::span<double> values) const {
   const double share = (w / width) * (w / width),
                peak = trace.amount * folded::inverse_sqrt_pi / width;
   const auto within = static_cast<std::ptrdiff_t>(
-                          std::min(static_cast<double>(n), support * width / panel_length_)) +
+                          std::min(static_cast<double>(n), trace_support * width / panel_length_)) +
                       1;
   const std::ptrdiff_t first = here - std::min(within, (n - 1) / 2);
   const std::ptrdiff_t last = here + std::min(within, (n - 1) / 2);

@@ -6,19 +6,18 @@
 #include <numbers>
 
 #include "fmm/series/multipole_kernel.hpp"
+#include "vortex/wall/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
 
-constexpr double tolerance = 1e-10;
-constexpr int rows = 3, together = rows * lane_count;
+constexpr int together = disc_registers * lane_count;
 constexpr double inverse_two_pi = 0.5 * std::numbers::inv_pi;
 
 /// Terms of a series in R/r that leave out less than the tolerance.
 int terms_for(double radii) {
-  const double terms = std::log(tolerance * (1 - 1 / radii)) / -std::log(radii);
-  return static_cast<int>(
-      std::clamp(std::ceil(terms), 1.0, static_cast<double>(fmm::most_terms)));
+  const double terms = std::log(disc_tolerance * (1 - 1 / radii)) / -std::log(radii);
+  return static_cast<int>(std::clamp(std::ceil(terms), 1.0, static_cast<double>(fmm::most_terms)));
 }
 
 }  // namespace
@@ -56,9 +55,10 @@ void DiscMultipole::add_velocity(tree::Points targets, std::span<const std::uint
       least2 = std::min(least2, dot(d, d));
     }
     const int terms = terms_for(std::sqrt(least2) / disc_.radius);
-    fmm::m2p_rows<rows>({disc_.centre.x, disc_.centre.y, disc_.radius, coefficients_.data(),
-                         coefficients_.data() + fmm::most_terms, terms},
-                        x.data(), y.data(), u.data(), v.data());
+    fmm::m2p_rows<disc_registers>(
+        {disc_.centre.x, disc_.centre.y, disc_.radius, coefficients_.data(),
+         coefficients_.data() + fmm::most_terms, terms},
+        x.data(), y.data(), u.data(), v.data());
     for (std::size_t k = 0; k < some.size(); ++k) {
       result.u[some[k]] += inverse_two_pi * u[k];
       result.v[some[k]] += inverse_two_pi * v[k];

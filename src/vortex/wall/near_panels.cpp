@@ -3,11 +3,12 @@
 #include <algorithm>
 
 #include "vortex/wall/panel_kernel.hpp"
+#include "vortex/wall/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
 
-constexpr std::size_t window = 6;  // panels to either side
+constexpr std::size_t window = exact_aside;
 constexpr std::size_t filled = (2 * window + lane_count) / lane_count * lane_count;
 static_assert(filled >= 2 * window + 1);
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "vortex/wall/tuning.hpp"
+
 namespace vortree::vortex {
 namespace {
 
@@ -49,17 +51,15 @@ std::vector<Station> side_of(std::span<const double> vorticity, const Wall& wall
   return stations;
 }
 
-/// Attached flow has vorticity < 0; near the front it is small and says nothing, and a turn that
-/// the flow takes back before it has gone on for `lasting` panels is a speck.
+/// Where vorticity turns from that of attached flow, < 0, for good.
 std::optional<double> separation_on(std::span<const Station> stations) {
-  constexpr double front = 150;
-  constexpr std::size_t lasting = 3;
+  constexpr std::size_t lasting = lasting_panels;
   for (std::size_t k = 1; k + lasting <= stations.size(); ++k) {
     const auto [a0, w0] = stations[k - 1];
     const auto [a1, w1] = stations[k];
     const bool lasts = std::ranges::all_of(stations.subspan(k, lasting),
                                            [](const Station& s) { return s.vorticity >= 0; });
-    if (a0 < front && w0 < 0 && lasts) return a0 + (a1 - a0) * w0 / (w0 - w1);
+    if (a0 < front_of_wall && w0 < 0 && lasts) return a0 + (a1 - a0) * w0 / (w0 - w1);
   }
   return std::nullopt;
 }
@@ -70,7 +70,7 @@ WakeLine wake_line(const Wall& wall, Vec2 stream) {
   const Vec2 downstream = unit(stream), centre = centre_of(wall);
   const double out = way_out(wall, centre, downstream);
   WakeLine line{{}, {}, {}, downstream};
-  for (double s = 0.005 * out; s < 40 * out; s *= 1.03) {
+  for (double s = first_station * out; s < farthest_station * out; s *= between_stations) {
     const Vec2 at = centre + (out + s) * downstream;
     line.length.push_back(s);
     line.x.push_back(at.x);

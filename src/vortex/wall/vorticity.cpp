@@ -2,6 +2,7 @@
 
 #include "fmm/vorticity.hpp"
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/wall/tuning.hpp"
 
 namespace vortree::vortex {
 
@@ -14,7 +15,7 @@ void vorticity(const Blobs& blobs, const body::Shape* wall, tree::Points at,
     if (folded::applies(w.distance, blobs.sigma[i]))
       all.append(blobs.centre(i) - (2 * w.distance) * w.normal, blobs.gamma[i], blobs.sigma[i]);
   }
-  fmm::vorticity({all.x, all.y, all.gamma, all.sigma}, at, omega, 1e-10);
+  fmm::vorticity({all.x, all.y, all.gamma, all.sigma}, at, omega, core_cut_off);
   for (std::size_t i = 0; wall && i < at.size(); ++i)
     if (wall->nearest({at.x[i], at.y[i]}).distance < 0) omega[i] = 0;
 }

@@ -8,11 +8,11 @@
 #include "fmm/plan.hpp"
 #include "vortex/wall/disc_multipole.hpp"
 #include "vortex/wall/panel_kernel.hpp"
+#include "vortex/wall/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
 
-constexpr double near_panels = 3;  // exact integrals for points closer to the wall than this
 const double gauss = 0.5 / std::sqrt(3.0);
 
 /// The sheet's equations and, last, its circulation; their multiplier takes up what a discrete slip
@@ -63,9 +63,9 @@ std::vector<double> Wall::missed_by_samples(const FoldedBlobs& folded,
   std::vector<double> missed = near_->wrapped_zeros();
   for (std::size_t j = first; j < last; ++j) {
     const Vec2 at = folded.at(j);
-    if (shape_->beyond(at, near_panels * length_)) continue;
+    if (shape_->beyond(at, exact_within * length_)) continue;
     const body::WallPoint w = shape_->nearest(at);
-    if (w.distance > near_panels * length_) continue;
+    if (w.distance > exact_within * length_) continue;
     near_->add_missed(at, w.arc, gamma[j], missed);
   }
   return near_->unwrapped(missed);
@@ -127,12 +127,12 @@ void Wall::add_velocity(std::span<const double> sheet, const fmm::Options& sums,
   add_velocity_of_points(sheet, sums, targets, u);
   const std::vector<double> wrapped = near_->wrapped(sheet);
   const auto count = static_cast<std::ptrdiff_t>(targets.size());
-#pragma omp parallel for schedule(dynamic, 512)
+#pragma omp parallel for schedule(dynamic, wall_points_a_turn)
   for (std::ptrdiff_t t = 0; t < count; ++t) {
     const Vec2 at{targets.x[t], targets.y[t]};
-    if (shape_->beyond(at, near_panels * length_)) continue;
+    if (shape_->beyond(at, exact_within * length_)) continue;
     const body::WallPoint w = shape_->nearest(at);
-    if (std::abs(w.distance) >= near_panels * length_) continue;
+    if (std::abs(w.distance) >= exact_within * length_) continue;
     const Vec2 sum = near_->correction(at, w.arc, wrapped);
     u.u[t] += sum.x;
     u.v[t] += sum.y;

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+/// Numbers of splits and mergers: what each trades, and how flat its optimum is. Where nothing is
+/// said of the optimum it is not known: the number was not varied. Those of the first group say
+/// which blobs come and go, within the tolerance of mergers; the others change no result.
+namespace vortree::vortex {
+
+// Which blobs there are.
+
+/// Of circulation, for the two children beside a wall that keep their parent's distance from it.
+/// Near the 2/3 that a Gaussian's fourth moment would have: with it the errors of one split after
+/// the other cancel in the growth of a layer at the wall, to 3e-4 of its mean distance. Not flat:
+/// 1e-3 with 0.6 or 0.7.
+inline constexpr double usual_share = 0.65;
+/// Partners that windows look for are nearer than so many cores, first and then. Farther ones are
+/// for weak vorticity, where sigma_max is what limits mergers: taken at a window's border they
+/// would leave more blobs.
+inline constexpr std::array window_reaches{1.2, 1.5};
+/// Tiles of windows move on by so much of their side: no border of a quarter of a tile is one
+/// again.
+inline constexpr double window_shift = 0.37;
+/// A tile's side, in sigma_max, and its cells along a side, which order what windows share: wider
+/// tiles part fewer pairs by their borders, smaller ones have less to sort.
+inline constexpr double tile_side = 4;
+inline constexpr int cells_across = 16;
+
+// When to give up.
+
+/// Looks at candidates, in the mean of a blob, and in all that a few blobs may take anyway, a
+/// second's work. Flows that went well took at most 33 a blob.
+inline constexpr std::size_t most_looks = 2000, few_looks = 100'000'000;
+
+// How they are found.
+
+/// Sides of a bin in the longest reach: smaller bins are more runs, wider ones have more candidates
+/// out of reach. A search costs least with two or three in its own, and most are shorter.
+inline constexpr double bins_a_reach = 4;
+/// Bins, and tiles, for a blob at most: where a cloud is thin more would be empty, and are made
+/// wider, or share a number.
+inline constexpr double bins_a_blob = 16, tiles_a_blob = 4, tiles_anyway = 1024;
+/// Who seeks together lies within so many sigma_max: farther apart they have fewer candidates in
+/// common.
+inline constexpr double seekers_side = 4;
+/// Up to so many numbers are sorted by insertion.
+inline constexpr std::size_t few_to_sort = 24;
+
+// What a thread takes at a time: less begins more often, more is shared less evenly.
+
+inline constexpr std::size_t seekers_a_turn = 256;
+inline constexpr int blobs_a_turn = 512, tiles_a_turn = 16, moved_tiles_a_turn = 256;
+/// Up to so many threads are put to better use by a sign each than by what is parallel within one.
+inline constexpr int threads_by_sign = 4;
+
+}  // namespace vortree::vortex

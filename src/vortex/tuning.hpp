@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+/// Numbers of a run by vortices: what each trades, and how flat its optimum is. Where nothing is
+/// said of the optimum it is not known: the number was not varied.
+namespace vortree::vortex {
+
+/// Substeps of the first step beside a wall; step n has this/n: an impulsive start changes the flow
+/// as fast as it is young. More cost more, fewer miss how it changes.
+inline constexpr std::uint64_t first_substeps = 8;
+/// Blobs of less circulation beside a body are let go [U D]: they add up to less than the sums of
+/// velocities err by, and would outnumber the others (vortex/blobs/outflow.hpp).
+inline constexpr double faintest_kept = 1e-12;
+/// Blobs of which a frame still tells the energy, a sum over all pairs: 2e8 of them.
+inline constexpr std::size_t most_for_energy = 20'000;
+
+// When blobs multiply faster than they merge (Growth::most): lower bounds end flows that would have
+// gone well, higher ones end the others later.
+
+/// Too many are more than so many times as many as before the step, or as five steps before. Flows
+/// that went well had 1.9 times as many.
+inline constexpr std::size_t too_many_times = 3;
+/// But no fewer than so many blobs are too many, against the step before, or five steps before.
+inline constexpr std::size_t many_blobs = 20'000, many_of_late = 5000;
+/// Besides, for each panel, in the first ten steps beside a wall.
+inline constexpr std::size_t many_a_panel = 100;
+/// In the first of them: starts that went well had up to 597 a panel, and 143 000 in all; in others
+/// nothing had merged at 2370 a panel.
+inline constexpr std::size_t many_at_once = 150'000, many_a_panel_at_once = 1000;
+/// Children are called nearly too wide to merge from so much on of the square of what mergers may
+/// leave.
+inline constexpr double wide_children = 0.5;
+/// Of both signs beside a body [U D]: an impulsive start has 4, a wake gains less than 1 a diameter
+/// of way.
+inline constexpr double most_vorticity = 100;
+
+}  // namespace vortree::vortex

@@ -1,0 +1,46 @@
+#pragma once
+
+/// Numbers of the wall: what each trades, and how flat its optimum is. Where nothing is said of the
+/// optimum it is not known: the number was not varied.
+namespace vortree::vortex {
+
+// The sheet.
+
+/// Integrals over panels are exact for points nearer to the wall than so many panels, and for so
+/// many to either side of the nearest: more cost more, fewer miss more. Farther away panels are
+/// points, which errs by exp(-2 pi 3) = 7e-9.
+inline constexpr double exact_within = 3;
+inline constexpr int exact_aside = 6;
+/// What the multipole of a body's panels leaves out, of sum |gamma|/(2 pi r): terms against digits,
+/// far below the tolerances of the other sums.
+inline constexpr double disc_tolerance = 1e-10;
+/// Registers of points that read the disc's series together: more hide more of its latency, until
+/// they spill.
+inline constexpr int disc_registers = 3;
+/// Points that a thread takes at a time: few are near the wall, and cost more.
+inline constexpr int wall_points_a_turn = 512;
+
+// What is read off the wall.
+
+/// The wall vorticity is smoothed over so many panels, against the roughness of blobs a panel apart
+/// (along_wall.hpp): more blur boundary layers, of a dozen panels.
+inline constexpr double panels_smoothed = 3;
+/// At most over so much of the radius of curvature, growing by so much of the way from there.
+inline constexpr double smoothed_of_radius = 0.25, steepest_smoothing = 0.25;
+/// Widths of a trace beyond which it is left out: exp(-16) = 1.1e-7.
+inline constexpr double trace_support = 4;
+/// Of a core's peak, where it is cut off in a picture of vorticity.
+inline constexpr double core_cut_off = 1e-10;
+
+// The near wake.
+
+/// Separation is sought from so far off the rear on [degrees]: vorticity near the front is small
+/// and says nothing. A turn of its sign that lasts fewer panels is a speck.
+inline constexpr double front_of_wall = 150;
+inline constexpr int lasting_panels = 3;
+/// Stations of the wake's line, from the wall on: the first and the farthest, in distances of the
+/// wall from the centre, each so many times as far as the one before. The bubble's end is
+/// interpolated between them.
+inline constexpr double first_station = 0.005, farthest_station = 40, between_stations = 1.03;
+
+}  // namespace vortree::vortex
