@@ -1,0 +1,132 @@
+#include "sph/pressure/pressure_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "base/ordered_sum.hpp"
+#include "sph/pressure/bicgstab.hpp"
+#include "sph/pressure/gmres.hpp"
+#include "sph/pressure/incomplete_lu.hpp"
+#include "sph/pressure/multigrid.hpp"
+#include "sph/pressure/multiply.hpp"
+
+namespace vortree::sph {
+namespace {
+
+using PressureColumn = std::vector<double>;
+
+constexpr std::size_t worth_sharing = 8192;  // rows
+
+double norm(std::span<const double> a) {
+  return std::sqrt(ordered_sum(a.size(), [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += a[i] * a[i];
+    return sum;
+  }));
+}
+
+// A 1.
+PressureColumn sums_of_rows(const SparseRows& a) {
+  PressureColumn sums = a.diagonal;
+#pragma omp parallel for schedule(static) if (a.size() > worth_sharing)
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::int32_t k = a.start[i]; k < a.start[i + 1]; ++k) sums[i] += a.value[k];
+  return sums;
+}
+
+}  // namespace
+
+class PressureSolver::Prepared {
+ public:
+  void prepare(const SparseRows& rows) {
+    rows_ = &rows;
+    multigrid_.prepare(rows);
+    gmres_.prepare(multigrid_, sums_of_rows(rows));
+  }
+
+  Solved solve(std::span<const double> b, std::span<double> x, double tolerance, int most) {
+    check_vectors(*rows_, b, x);
+    const double whole = norm(b);
+    if (whole == 0) {
+      std::ranges::fill(x, 0);
+      return {};
+    }
+    Solved told{0, residual(b, x) / whole};
+    refine(b, x, tolerance, most, whole, told);
+    if (told.residual > tolerance && told.iterations < most)
+      iterate_slowly(b, x, tolerance, most, told);
+    return told;
+  }
+
+ private:
+  double residual(std::span<const double> b, std::span<const double> x) {
+    left_.resize(b.size());
+    multiply<1>(*rows_, x, left_);
+#pragma omp parallel for schedule(static) if (b.size() > worth_sharing)
+    for (std::size_t i = 0; i < b.size(); ++i) left_[i] = b[i] - left_[i];
+    return norm(left_);
+  }
+
+  // Corrections in floats, as long as each takes at least half of what was left.
+  void refine(std::span<const double> b, std::span<double> x, double tolerance, int most,
+              double whole, Solved& told) {
+    constexpr double safety = 0.9, floats = 1e-5, worth_while = 0.5;
+    constexpr int restart = 30;
+    for (double before = HUGE_VAL; told.residual > tolerance &&
+                                   told.residual < worth_while * before &&
+                                   told.iterations < most;) {
+      before = told.residual;
+      const double reduction = std::max(floats, safety * tolerance / told.residual);
+      const PressureColumn old(x.begin(), x.end());
+      told.iterations +=
+          gmres_.solve(left_, reduction, std::min(restart, most - told.iterations), x);
+      told.residual = residual(b, x) / whole;
+      if (!(told.residual < before)) {
+        std::ranges::copy(old, x.begin());
+        told.residual = before;
+      }
+    }
+  }
+
+  void iterate_slowly(std::span<const double> b, std::span<double> x, double tolerance, int most,
+                      Solved& told) {
+    IncompleteLu factors;
+    factors.factor(*rows_);
+    const auto multiply = [&](auto in, auto out) { sph::multiply<1>(*rows_, in, out); };
+    const auto precondition = [&](auto in, auto out) { factors.solve(in, out); };
+    Bicgstab<1, decltype(multiply), decltype(precondition)> method(rows_->size(), multiply,
+                                                                   precondition);
+    PressureColumn trial(x.begin(), x.end());
+    const Solved slow = method.solve(b, trial, tolerance, most - told.iterations)[0];
+    told.iterations += slow.iterations;
+    if (!(slow.residual < told.residual)) return;
+    told.residual = slow.residual;
+    std::ranges::copy(trial, x.begin());
+  }
+
+  const SparseRows* rows_ = nullptr;
+  Multigrid multigrid_;
+  Gmres gmres_;
+  PressureColumn left_;
+};
+
+PressureSolver::PressureSolver() = default;
+PressureSolver::~PressureSolver() = default;
+PressureSolver::PressureSolver(PressureSolver&&) noexcept = default;
+PressureSolver& PressureSolver::operator=(PressureSolver&&) noexcept = default;
+
+void PressureSolver::prepare(const SparseRows& rows) {
+  check(rows);
+  if (!prepared_) prepared_ = std::make_unique<Prepared>();
+  prepared_->prepare(rows);
+}
+
+Solved PressureSolver::solve(std::span<const double> b, std::span<double> x, double tolerance,
+                             int most) {
+  if (!prepared_) throw std::logic_error("pressure solver: nothing was prepared");
+  return prepared_->solve(b, x, tolerance, most);
+}
+
+}  // namespace vortree::sph
