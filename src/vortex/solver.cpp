@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/rounded.hpp"
+#include "flow/near_wake.hpp"
 #include "vortex/blobs/energy.hpp"
 #include "vortex/blobs/moments.hpp"
 #include "vortex/tuning.hpp"
-#include "vortex/wall/near_wake.hpp"
 #include "vortex/wall/vorticity.hpp"
 
 namespace vortree::vortex {
@@ -136,7 +136,7 @@ flow::Measures VortexSolver::measure() const {
       {"second_moment", "L^4/T", now.second},
       {"bubble_length", "", wake ? wake_.bubble_length / setup_.scales.length : 0},
       {"separation_deg", "deg",
-       wake ? separation_angle(wake_.wall_vorticity, *wall(), flow.stream) : 0},
+       wake ? flow::separation_angle(wake_.wall_vorticity, wall()->middles(), flow.stream) : 0},
       {"quadrupole_xx", "L^4/T", moments.quadrupole.x},
       {"quadrupole_xy", "L^4/T", moments.quadrupole.y},
       {"separation", "L", moments.separation},

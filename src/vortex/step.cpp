@@ -7,13 +7,13 @@
 #include <stdexcept>
 
 #include "base/ordered_sum.hpp"
+#include "flow/near_wake.hpp"
 #include "fmm/plan.hpp"
 #include "vortex/transport/particle_exchange.hpp"
 #include "vortex/transport/random_walk.hpp"
 #include "vortex/transport/spread_cores.hpp"
 #include "vortex/tuning.hpp"
 #include "vortex/wall/forces.hpp"
-#include "vortex/wall/near_wake.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -126,11 +126,13 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
 Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   const FoldedBlobs at = fold(blobs, &p.wall->shape());
   Wake wake;
-  const WakeLine line =
-      dot(p.flow.stream, p.flow.stream) > 0 ? wake_line(*p.wall, p.flow.stream) : WakeLine{};
+  const bool stream = dot(p.flow.stream, p.flow.stream) > 0;
+  const flow::WakeLine line =
+      stream ? flow::wake_line(p.wall->middles(), p.wall->shape(), p.flow.stream)
+             : flow::WakeLine{};
   AtRest at_rest = with_sheet(line.points(), blobs, at, p, p.flow.stream_at(time));
   wake.sheet = std::move(at_rest.sheet);
-  wake.bubble_length = bubble_length(line, at_rest.u);
+  wake.bubble_length = flow::bubble_length(line, at_rest.u.u, at_rest.u.v);
   wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.outflow.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);

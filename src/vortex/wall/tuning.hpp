@@ -32,15 +32,4 @@ inline constexpr double trace_support = 4;
 /// Of a core's peak, where it is cut off in a picture of vorticity.
 inline constexpr double core_cut_off = 1e-10;
 
-// The near wake.
-
-/// Separation is sought from so far off the rear on [degrees]: vorticity near the front is small
-/// and says nothing. A turn of its sign that lasts fewer panels is a speck.
-inline constexpr double front_of_wall = 150;
-inline constexpr int lasting_panels = 3;
-/// Stations of the wake's line, from the wall on: the first and the farthest, in distances of the
-/// wall from the centre, each so many times as far as the one before. The bubble's end is
-/// interpolated between them.
-inline constexpr double first_station = 0.005, farthest_station = 40, between_stations = 1.03;
-
 }  // namespace vortree::vortex

@@ -37,6 +37,7 @@ class Wall {
   std::size_t panels() const { return middle_.size(); }
   double panel_length() const { return length_; }
   Vec2 middle(std::size_t i) const { return middle_[i]; }
+  std::span<const Vec2> middles() const { return middle_; }
   Vec2 tangent(std::size_t i) const { return tangent_[i]; }
 
   /// Points where the far field is sampled for the slip: two Gauss points a panel.

@@ -1,32 +1,39 @@
-#include "vortex/wall/near_wake.hpp"
+#include "flow/near_wake.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "vortex/wall/tuning.hpp"
-
-namespace vortree::vortex {
+namespace vortree::flow {
 namespace {
 
-Vec2 centre_of(const Wall& wall) {
+/// Separation is sought from so far off the rear on [degrees]: vorticity near the front is small
+/// and says nothing. A turn of its sign that lasts fewer places is a speck.
+inline constexpr double front_of_wall = 150;
+inline constexpr int lasting_places = 3;
+/// Stations of the wake's line, from the wall on: the first and the farthest, in distances of the
+/// wall from the centre, each so many times as far as the one before. The bubble's end is
+/// interpolated between them.
+inline constexpr double first_station = 0.005, farthest_station = 40, between_stations = 1.03;
+
+Vec2 centre_of(std::span<const Vec2> wall) {
   Vec2 sum;
-  for (std::size_t i = 0; i < wall.panels(); ++i) sum = sum + wall.middle(i);
-  return (1.0 / static_cast<double>(wall.panels())) * sum;
+  for (const Vec2 place : wall) sum = sum + place;
+  return (1.0 / static_cast<double>(wall.size())) * sum;
 }
 
 /// Distance from `from` along `direction` to the wall (from the inside out).
-double way_out(const Wall& wall, Vec2 from, Vec2 direction) {
+double way_out(std::span<const Vec2> wall, const body::Shape& shape, Vec2 from, Vec2 direction) {
   double farthest = 0;
-  for (std::size_t i = 0; i < wall.panels(); ++i) {
-    const Vec2 d = wall.middle(i) - from;
+  for (const Vec2 place : wall) {
+    const Vec2 d = place - from;
     farthest = std::max(farthest, std::hypot(d.x, d.y));
   }
   double inside = 0, outside = 2 * farthest;
   for (int k = 0; k < 60; ++k) {
     const double half = 0.5 * (inside + outside);
-    (wall.shape().nearest(from + half * direction).distance < 0 ? inside : outside) = half;
+    (shape.nearest(from + half * direction).distance < 0 ? inside : outside) = half;
   }
   return outside;
 }
@@ -36,12 +43,12 @@ struct Station {
 };
 
 /// The wall of one side (+1: left of the stream), from the front to the rear.
-std::vector<Station> side_of(std::span<const double> vorticity, const Wall& wall, Vec2 stream,
-                             double side) {
+std::vector<Station> side_of(std::span<const double> vorticity, std::span<const Vec2> wall,
+                             Vec2 stream, double side) {
   const Vec2 rear = unit(stream), left{-rear.y, rear.x}, centre = centre_of(wall);
   std::vector<Station> stations;
-  for (std::size_t i = 0; i < wall.panels(); ++i) {
-    const Vec2 d = wall.middle(i) - centre;
+  for (std::size_t i = 0; i < wall.size(); ++i) {
+    const Vec2 d = wall[i] - centre;
     const double across = side * dot(d, left);
     if (across > 0)
       stations.push_back(
@@ -53,7 +60,7 @@ std::vector<Station> side_of(std::span<const double> vorticity, const Wall& wall
 
 /// Where vorticity turns from that of attached flow, < 0, for good.
 std::optional<double> separation_on(std::span<const Station> stations) {
-  constexpr std::size_t lasting = lasting_panels;
+  constexpr std::size_t lasting = lasting_places;
   for (std::size_t k = 1; k + lasting <= stations.size(); ++k) {
     const auto [a0, w0] = stations[k - 1];
     const auto [a1, w1] = stations[k];
@@ -66,9 +73,9 @@ std::optional<double> separation_on(std::span<const Station> stations) {
 
 }  // namespace
 
-WakeLine wake_line(const Wall& wall, Vec2 stream) {
+WakeLine wake_line(std::span<const Vec2> wall, const body::Shape& shape, Vec2 stream) {
   const Vec2 downstream = unit(stream), centre = centre_of(wall);
-  const double out = way_out(wall, centre, downstream);
+  const double out = way_out(wall, shape, centre, downstream);
   WakeLine line{{}, {}, {}, downstream};
   for (double s = first_station * out; s < farthest_station * out; s *= between_stations) {
     const Vec2 at = centre + (out + s) * downstream;
@@ -79,8 +86,8 @@ WakeLine wake_line(const Wall& wall, Vec2 stream) {
   return line;
 }
 
-double bubble_length(const WakeLine& line, const Velocities& u) {
-  const auto along = [&](std::size_t k) { return dot({u.u[k], u.v[k]}, line.direction); };
+double bubble_length(const WakeLine& line, std::span<const double> u, std::span<const double> v) {
+  const auto along = [&](std::size_t k) { return dot({u[k], v[k]}, line.direction); };
   for (std::size_t k = 1; k < line.length.size(); ++k) {
     const double before = along(k - 1), after = along(k);
     if (before < 0 && after >= 0)
@@ -89,7 +96,8 @@ double bubble_length(const WakeLine& line, const Velocities& u) {
   return 0;
 }
 
-double separation_angle(std::span<const double> wall_vorticity, const Wall& wall, Vec2 stream) {
+double separation_angle(std::span<const double> wall_vorticity, std::span<const Vec2> wall,
+                        Vec2 stream) {
   double sum = 0;
   int found = 0;
   for (double side : {1.0, -1.0})
@@ -100,4 +108,4 @@ double separation_angle(std::span<const double> wall_vorticity, const Wall& wall
   return found ? sum / found : 0;
 }
 
-}  // namespace vortree::vortex
+}  // namespace vortree::flow

@@ -1,4 +1,4 @@
-#include "vortex/wall/near_wake.hpp"
+#include "flow/near_wake.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -10,28 +10,35 @@ using namespace vortree;
 
 namespace {
 
+/// Middles of n equal pieces of an outline.
+std::vector<Vec2> around(const body::Shape& shape, int n) {
+  std::vector<Vec2> places;
+  for (int i = 0; i < n; ++i) places.push_back(shape.point((i + 0.5) * shape.perimeter() / n));
+  return places;
+}
+
 /// The velocity a (s - length) along a line's direction, s the distance from the wall.
 double bubble_of_straight_line(double a, double length) {
-  const vortex::Wall wall(body::circle({0.3, -0.2}, 0.5), 200);
-  const vortex::WakeLine line = vortex::wake_line(wall, {3, 4});
-  vortex::Velocities u(line.x.size());
+  const auto shape = body::circle({0.3, -0.2}, 0.5);
+  const flow::WakeLine line = flow::wake_line(around(*shape, 200), *shape, {3, 4});
+  std::vector<double> u(line.x.size()), v(line.x.size());
   for (std::size_t k = 0; k < line.x.size(); ++k) {
     const double s = std::hypot(line.x[k] - 0.3, line.y[k] + 0.2) - 0.5;
-    u.u[k] = 0.6 * a * (s - length) - 0.8;  // and something across
-    u.v[k] = 0.8 * a * (s - length) + 0.6;
+    u[k] = 0.6 * a * (s - length) - 0.8;  // and something across
+    v[k] = 0.8 * a * (s - length) + 0.6;
   }
-  return vortex::bubble_length(line, u);
+  return flow::bubble_length(line, u, v);
 }
 
 /// Separation of the wall vorticity given by the polar angle, in degrees from the rear.
 double separation_of(int panels, auto vorticity) {
-  const vortex::Wall wall(body::circle({0.3, -0.2}, 0.5), panels);
+  const std::vector<Vec2> wall = around(*body::circle({0.3, -0.2}, 0.5), panels);
   std::vector<double> values;
-  for (std::size_t i = 0; i < wall.panels(); ++i) {
-    const Vec2 d = wall.middle(i) - Vec2{0.3, -0.2};
+  for (const Vec2 place : wall) {
+    const Vec2 d = place - Vec2{0.3, -0.2};
     values.push_back(vorticity(std::atan2(d.y, d.x)));
   }
-  return vortex::separation_angle(values, wall, {2, 0});
+  return flow::separation_angle(values, wall, {2, 0});
 }
 
 constexpr double degree = std::numbers::pi / 180;
@@ -77,5 +84,5 @@ TEST_CASE("the closed wake ends where the velocity along the stream turns forwar
 TEST_CASE("without a turn from back to forward no wake is closed") {
   CHECK(bubble_of_straight_line(2, -0.1) == 0);
   CHECK(bubble_of_straight_line(-2, 0.5) == 0);
-  CHECK(vortex::bubble_length({}, vortex::Velocities{}) == 0);
+  CHECK(flow::bubble_length({}, {}, {}) == 0);
 }
