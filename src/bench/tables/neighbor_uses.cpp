@@ -15,8 +15,8 @@
 #include "bench/sets/particle_sets.hpp"
 #include "bench/sets/point_sets.hpp"
 #include "provenance/provenance.hpp"
-#include "sph/resolution.hpp"
-#include "sph/sums.hpp"
+#include "sph/pairs/resolution.hpp"
+#include "sph/pairs/sums.hpp"
 #include "tree/neighbors/verlet_list.hpp"
 
 namespace vortree::bench {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "papers.hpp"
-#include "sph/sums.hpp"
+#include "sph/pairs/sums.hpp"
 
 using namespace vortree;
 using sph::Kernel;

@@ -1,4 +1,4 @@
-#include "sph/resolution.hpp"
+#include "sph/pairs/resolution.hpp"
 
 #include <algorithm>
 #include <bit>

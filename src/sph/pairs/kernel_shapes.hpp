@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sph/kernels.hpp"
+#include "sph/pairs/kernels.hpp"
 
 namespace vortree::sph {
 
@@ -16,7 +16,7 @@ namespace vortree::sph {
 ///
 /// zero from the support on, without a branch but for gaussian.
 ///
-/// twin    tests/sph/papers.hpp, the formulas as printed
+/// twin    tests/sph/pairs/papers.hpp, the formulas as printed
 
 /// t^n by squares.
 template <int n>

@@ -1,4 +1,4 @@
-#include "sph/kernels.hpp"
+#include "sph/pairs/kernels.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

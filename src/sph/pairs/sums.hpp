@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "sph/kernels.hpp"
+#include "sph/pairs/kernels.hpp"
 #include "tree/neighbors/neighbors.hpp"
 
 namespace vortree::sph {

@@ -25,8 +25,8 @@ namespace vortree::sph {
 ///   quadratic       2        3/(2 pi)           3    (q/2)^2 - q + 1
 ///   bell            1        5/pi               4.5  (1 + 3 q) (1 - q)^3, Lucy's
 ///
-/// powers of negative numbers counting as zero in the splines. tests/sph/kernels.cpp has norm by
-/// quadrature.
+/// powers of negative numbers counting as zero in the splines. tests/sph/pairs/kernels.cpp has norm
+/// by quadrature.
 ///
 /// On a plane lattice of spacing dx the sum of dx^2 W differs from one by O((dx/h)^p): by the
 /// kernel's Fourier transform at the waves of the lattice, which falls with how smooth the kernel

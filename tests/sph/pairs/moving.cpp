@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sph/resolution.hpp"
+#include "sph/pairs/resolution.hpp"
 #include "tree/clouds.hpp"
 #include "tree/neighbors/verlet_list.hpp"
 #include "tree/pairs.hpp"

@@ -1,4 +1,4 @@
-#include "sph/sums.hpp"
+#include "sph/pairs/sums.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

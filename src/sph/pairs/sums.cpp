@@ -1,11 +1,11 @@
-#include "sph/sums.hpp"
+#include "sph/pairs/sums.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "sph/kernel_shapes.hpp"
+#include "sph/pairs/kernel_shapes.hpp"
 
 namespace vortree::sph {
 namespace {

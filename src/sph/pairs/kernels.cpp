@@ -1,11 +1,11 @@
-#include "sph/kernels.hpp"
+#include "sph/pairs/kernels.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
-#include "sph/kernel_shapes.hpp"
+#include "sph/pairs/kernel_shapes.hpp"
 
 namespace vortree::sph {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sph/kernels.hpp"
+#include "sph/pairs/kernels.hpp"
 
 namespace vortree::test {
 
