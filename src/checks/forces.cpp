@@ -2,12 +2,16 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "exact/cylinder_drag.hpp"
 #include "io/tables/table.hpp"
 
 namespace vortree::checks {
 namespace {
+
+/// Where the impulse is noisy, routes are compared by means over so much of T.
+constexpr double noise_span = 0.5;
 
 /// A column of a reference between its entries; none outside them, and where cells are empty.
 class ReferenceCurve {
@@ -25,7 +29,7 @@ class ReferenceCurve {
 };
 
 /// How far a column of the report is off what is known, row by row.
-Deviation off(const HistoryRows& rows, const char* column, ReferenceCurve known,
+Deviation off(const HistoryRows& rows, const std::string& column, ReferenceCurve known,
               double (*distance)(double, double)) {
   return [&rows, ours = rows.column(column), known = std::move(known),
           distance](std::size_t r) -> std::optional<double> {
@@ -47,10 +51,27 @@ Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const 
   return {share(*apart.value, *most.value)};
 }
 
+std::string drag_of(const Finished& run) {
+  return "cd_" + run.solver.route();
+}
+
+/// Means over rows at most half a span of T away: noise of particles that come and go.
+Series means(const Series& T, const Series& of, double span) {
+  Series mean(of.size());
+  std::size_t first = 0, last = 0;  // of the rows nearby
+  double sum = 0;
+  for (std::size_t r = 0; r < of.size(); ++r) {
+    for (; last < of.size() && T[last] <= T[r] + span / 2; ++last) sum += of[last];
+    for (; T[first] < T[r] - span / 2; ++first) sum -= of[first];
+    mean[r] = sum / static_cast<double>(last - first);
+  }
+  return mean;
+}
+
 /// Means, as the drag of a step jumps where blobs of one release all split.
 Reached early_drag_off(const Finished& run) {
   constexpr double end = 0.1 + 1e-9;
-  const Series &T = run.rows.T(), drag = run.rows.column("cd_impulse");
+  const Series &T = run.rows.T(), drag = run.rows.column(drag_of(run));
   if (T.empty() || T.back() < 0.1 - 1e-9) return run.rows.too_short();
   const double reynolds = run.scales.speed * (run.scales.length / 2) / run.scene.flow.nu;
   double ours = 0, exact = 0;
@@ -68,7 +89,7 @@ void check_drag(std::vector<Verdict>& list, const Finished& run) {
   const io::CheckSettings& c = scene.check;
   if (!run.scales.body || !c.drag_reference) return;
   const io::Table reference(io::reference_path(scene, *c.drag_reference));
-  const Deviation drag = off(rows, "cd_impulse", {reference, "C_D"}, deviation);
+  const Deviation drag = off(rows, drag_of(run), {reference, "C_D"}, deviation);
   add(list, "drag_max", c.drag_max, [&] { return rows.largest(c.drag_from, drag); });
   add(list, "drag_rms", c.drag_rms, [&] { return rows.rms(c.drag_from, drag); });
   add(list, "bubble_max", c.bubble_max, [&] {
@@ -90,8 +111,12 @@ void check_forces(std::vector<Verdict>& list, const Finished& run) {
   const io::Scene& scene = run.scene;
   const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
-  const Series impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
-               lift = rows.column("cl_impulse"), wall_lift = rows.column("cl_wall");
+  const bool by_both = run.solver.route() == "impulse";
+  const auto told = [&](const char* column) {
+    return by_both ? rows.column(column) : means(rows.T(), rows.column(column), noise_span);
+  };
+  const Series impulse = told("cd_impulse"), wall = told("cd_wall"), lift = told("cl_impulse"),
+               wall_lift = told("cl_wall");
   add(list, "routes_max", c.routes_max, [&] {
     if (scene.plunge) return routes_apart(rows, c.routes_from, impulse, wall);
     return rows.largest(c.routes_from,
@@ -100,7 +125,10 @@ void check_forces(std::vector<Verdict>& list, const Finished& run) {
   add(list, "lift_routes_max", c.lift_routes_max,
       [&] { return routes_apart(rows, c.routes_from, lift, wall_lift); });
   add(list, "lift_max", c.lift_max, [&] {
-    return rows.largest({}, [&](std::size_t r) { return largest_of({lift[r], wall_lift[r]}); });
+    const Series by_impulse = rows.column("cl_impulse"), by_wall = rows.column("cl_wall");
+    return rows.largest({}, [&](std::size_t r) {
+      return by_both ? largest_of({by_impulse[r], by_wall[r]}) : by_wall[r];
+    });
   });
 }
 

@@ -63,7 +63,8 @@ void check_plunge(std::vector<Verdict>& list, const Finished& run) {
   const Periods periods = whole_periods(scene, rows);
   const Series t = rows.column("t");
   const double omega = 2 * std::numbers::pi * scene.plunge->frequency;
-  check_morison(list, scene.check, t, rows.column("cd_impulse"), periods, omega, scales);
+  check_morison(list, scene.check, t, rows.column("cd_" + run.solver.route()), periods, omega,
+                scales);
   add(list, "theodorsen_max", scene.check.theodorsen_max, [&]() -> Reached {
     if (!periods.any()) return no_period;
     const double half = scales.length / 2;

@@ -13,8 +13,8 @@ void check_shedding(std::vector<Verdict>& list, const Finished& run) {
   const io::CheckSettings& c = run.scene.check;
   const HistoryRows& rows = run.rows;
   constexpr std::size_t least = 100;  // rows
-  const Series t = rows.column("t"), all_lift = rows.column("cl_impulse"),
-               all_drag = rows.column("cd_impulse");
+  const Series t = rows.column("t"), all_lift = rows.column("cl_" + run.solver.route()),
+               all_drag = rows.column("cd_" + run.solver.route());
   const auto first = static_cast<std::ptrdiff_t>(
       std::ranges::lower_bound(rows.T(), c.shedding_from.value_or(0)) - rows.T().begin());
   const Series lift(all_lift.begin() + first, all_lift.end()),

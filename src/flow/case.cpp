@@ -17,7 +17,8 @@ std::vector<Key> keys(Case& of) {
           key("accuracy", of.accuracy,
               {.low = 0, .high = 1, .above_low = true, .words = "it must lie between 0 and 1"}, "",
               "relative error aimed at: the method chooses by it what is not written of `time.dt`, "
-              "`body.panels` and its own tables (`cores`, `merging` and `velocity` of vortices)")};
+              "`body.panels` and its own tables (`cores`, `merging` and `velocity` of vortices, "
+              "`sph` of SPH)")};
 }
 
 std::vector<SceneTable> tables(Case& of) {

@@ -76,6 +76,9 @@ class Solver {
   /// What the body feels; none without one.
   virtual std::optional<Force> force() const = 0;
 
+  /// The route by which coefficients are told, "impulse" or "wall"; the other is a check.
+  virtual std::string route() const { return "impulse"; }
+
   /// Largest relative change so far of what the flow should keep.
   virtual double drift() const = 0;
 
