@@ -7,12 +7,14 @@
 #include "base/free_memory.hpp"
 #include "flow/warnings.hpp"
 #include "io/input_error.hpp"
+#include "sph/method.hpp"
 #include "vortex/method.hpp"
 
 namespace vortree::app {
 
 const flow::Methods& methods() {
-  static const flow::Methods all{flow::AnyMethod(std::make_unique<vortex::VortexMethod>())};
+  static const flow::Methods all{flow::AnyMethod(std::make_unique<vortex::VortexMethod>()),
+                                 flow::AnyMethod(std::make_unique<sph::SphMethod>())};
   return all;
 }
 

@@ -1,0 +1,137 @@
+#include "sph/boundary/biot_savart.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fmm/plan.hpp"
+#include "sph/boundary/tuning.hpp"
+
+namespace vortree::sph {
+namespace {
+
+/// Nearer than `margin` to a side that the stream does not leave by.
+bool beside_box(const OuterBox& box, Vec2 at, double margin, Vec2 stream) {
+  const bool across = std::abs(stream.y) > std::abs(stream.x);
+  const bool back = across ? stream.y < 0 : stream.x < 0, still = dot(stream, stream) == 0;
+  const bool left = at.x < box.low.x + margin && (still || across || !back);
+  const bool right = at.x > box.high.x - margin && (still || across || back);
+  const bool bottom = at.y < box.low.y + margin && (still || !across || !back);
+  const bool top = at.y > box.high.y - margin && (still || !across || back);
+  return left || right || bottom || top;
+}
+
+}  // namespace
+
+void BiotSavart::add(Vec2 at, double gamma) {
+  x_.push_back(at.x), y_.push_back(at.y), gamma_.push_back(gamma);
+}
+
+void BiotSavart::renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream) {
+  x_.clear(), y_.clear(), gamma_.clear();
+  if (spin_ != 0) add({}, spin_);
+  std::vector<std::size_t> outer;
+  const auto strength = [&](std::size_t i) {
+    const double gamma = cloud.volume(i) * vorticity(slopes[i]);
+    return cloud.kind[i] == ParticleKind::wall ? gamma / 2 : gamma;
+  };
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.kind[i] >= ParticleKind::outer || beside_box(box_, cloud.at(i), margin_, stream) ||
+        std::abs(strength(i)) <= faintest_vortex)
+      continue;
+    if (box_.depth(cloud.at(i)) > margin_)
+      add(cloud.at(i), strength(i));
+    else
+      outer.push_back(i);
+  }
+  inner_ = x_.size();
+  for (const std::size_t i : outer) add(cloud.at(i), strength(i));
+  for (std::size_t k = 0; k < left_x.size(); ++k) add({left_x[k], left_y[k]}, left_gamma[k]);
+}
+
+void BiotSavart::add_sheet(const Cloud& cloud, double rate) {
+  const auto before = static_cast<std::ptrdiff_t>(x_.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.kind[i] != ParticleKind::wall) continue;
+    const Vec2 n = cloud.normal(i), slip = cloud.velocity(i) - rate * Vec2{-cloud.y[i], cloud.x[i]};
+    add(cloud.at(i), dot(slip, {-n.y, n.x}) * cloud.spacing[i]);
+  }
+  const std::size_t added = x_.size() - static_cast<std::size_t>(before);
+  for (std::vector<double>* of : {&x_, &y_, &gamma_})
+    std::rotate(of->begin() + static_cast<std::ptrdiff_t>(inner_), of->begin() + before, of->end());
+  inner_ += added;
+}
+
+void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream,
+                           double dt) {
+  for (double& x : left_x) x += dt * stream.x;
+  for (double& y : left_y) y += dt * stream.y;
+  std::vector<std::size_t> outlet;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (cloud.kind[i] == ParticleKind::outlet) outlet.push_back(i);
+  if (outlet.empty()) return;
+  std::ranges::sort(outlet, {}, [&](std::size_t i) { return cloud.place[i]; });
+  leaving.resize(outlet.size());
+  for (std::size_t k = 0; k < outlet.size(); ++k) {
+    const std::size_t i = outlet[k];
+    const double out = -dot(cloud.velocity(i), cloud.normal(i));
+    if (!beside_box(box_, cloud.at(i), margin_, stream))
+      leaving[k] += dt * out * cloud.spacing[i] * vorticity(slopes[i]);
+  }
+  travelled += dt * std::sqrt(dot(stream, stream));
+  if (travelled > 0.5 * cloud.spacing[outlet.front()]) release(cloud, outlet, stream);
+}
+
+/// What has flowed out meanwhile stands in the middle of its way.
+void BiotSavart::release(const Cloud& cloud, const std::vector<std::size_t>& outlet, Vec2 stream) {
+  const Vec2 by = travelled / (2 * std::sqrt(dot(stream, stream))) * stream;
+  for (std::size_t k = 0; k < outlet.size(); ++k) {
+    if (std::abs(leaving[k]) <= faintest_vortex) continue;
+    const Vec2 at = cloud.at(outlet[k]) + by;
+    left_x.push_back(at.x), left_y.push_back(at.y), left_gamma.push_back(leaving[k]);
+    leaving[k] = 0;
+  }
+  travelled = 0;
+}
+
+void BiotSavart::sum(std::size_t sources, const std::vector<double>& x,
+                     const std::vector<double>& y, std::span<double> u, std::span<double> v) const {
+  std::ranges::fill(u, 0.0), std::ranges::fill(v, 0.0);
+  if (sources == 0 || x.empty()) return;
+  const auto first = [&](const std::vector<double>& a) { return std::span(a).first(sources); };
+  const bool few = sources * x.size() < worth_a_tree;
+  const fmm::Plan plan({first(x_), first(y_), first(gamma_), {}},
+                       {.tolerance = far_field_tolerance,
+                        .method = few ? fmm::SumMethod::direct : fmm::SumMethod::fmm});
+  plan.velocity_bare({x, y}, u, v);
+}
+
+void BiotSavart::velocity(const std::vector<double>& x, const std::vector<double>& y, Vec2 stream,
+                          std::span<double> u, std::span<double> v) const {
+  sum(x_.size(), x, y, u, v);
+  for (std::size_t k = 0; k < x.size(); ++k) u[k] += stream.x, v[k] += stream.y;
+}
+
+void BiotSavart::velocity_by_inner(const std::vector<double>& x, const std::vector<double>& y,
+                                   std::span<double> u, std::span<double> v) const {
+  sum(inner_, x, y, u, v);
+}
+
+double BiotSavart::circulation() const {
+  double sum = 0;
+  for (const double gamma : gamma_) sum += gamma;
+  return sum;
+}
+
+double BiotSavart::second_moment() const {
+  double sum = 0;
+  for (std::size_t k = 0; k < x_.size(); ++k) sum += gamma_[k] * (x_[k] * x_[k] + y_[k] * y_[k]);
+  return sum;
+}
+
+Vec2 BiotSavart::impulse() const {
+  Vec2 sum{};
+  for (std::size_t k = 0; k < x_.size(); ++k) sum += gamma_[k] * Vec2{y_[k], -x_[k]};
+  return sum;
+}
+
+}  // namespace vortree::sph

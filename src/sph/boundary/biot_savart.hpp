@@ -1,0 +1,79 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sph/boundary/outer_box.hpp"
+#include "sph/cloud/cloud.hpp"
+#include "sph/operators/derivatives.hpp"
+
+namespace vortree::sph {
+
+/// The vorticity of a flow as point vortices: those of the particles, and of the wake that has left
+/// the box, which drifts on with the stream. The velocity outside of a body at rest in unbounded
+/// fluid follows from it alone:
+///
+///   u(x) = U + 1/(2 pi) sum_j gamma_j (-(y - y_j), x - x_j)/|x - x_j|^2,   gamma_j = V_j omega_j
+///
+/// Nodes of a wall count with half their volume, as it lies half in the body. Particles near those
+/// sides of the box through which no wake leaves are left out: a layer of wrong vorticity there,
+/// some percent of U, would otherwise feed itself.
+///
+/// error    of the sums 1e-6
+/// cost     O(n): fmm/plan.hpp
+/// source   Weymouth & Lauber, arXiv 2404.09034, for boundary values by Biot and Savart
+class BiotSavart {
+ public:
+  BiotSavart() = default;
+
+  /// margin  beside sides without an outlet, within which nothing counts [L]
+  /// spin    circulation of a body that turns, about the origin [L^2/T]
+  BiotSavart(const OuterBox& box, double margin, double spin)
+      : box_(box), margin_(margin), spin_(spin) {}
+
+  /// Takes up the vorticity of a cloud.
+  void renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream);
+
+  /// And the sheet of a wall that slips: (u - u_wall).t ds at each node.
+  ///
+  /// rate    at which the body turns about the origin, anticlockwise [1/T]
+  void add_sheet(const Cloud& cloud, double rate);
+
+  /// What has left drifts on with the stream, and what flows out of the outlet in a step follows,
+  ///
+  ///   d gamma = u.n omega ds dt   at each of its nodes,
+  ///
+  /// as a vortex for each node and half a spacing of way.
+  void carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream, double dt);
+
+  /// At nodes outside of the vorticity, with the stream.
+  void velocity(const std::vector<double>& x, const std::vector<double>& y, Vec2 stream,
+                std::span<double> u, std::span<double> v) const;
+
+  /// By what is farther inside the box than the margin alone, without the stream: what changes in
+  /// time at an outlet, free of what just passes there.
+  void velocity_by_inner(const std::vector<double>& x, const std::vector<double>& y,
+                         std::span<double> u, std::span<double> v) const;
+
+  [[nodiscard]] double circulation() const;    ///< of all [L^2/T]
+  [[nodiscard]] Vec2 impulse() const;          ///< sum gamma (y, -x) of all [L^3/T]
+  [[nodiscard]] double second_moment() const;  ///< sum gamma |x|^2 of all [L^4/T]
+
+  // To be saved: what has left; what is about to, of each node of the outlet in the order of their
+  // places, and the way that the stream has gone meanwhile.
+  std::vector<double> left_x, left_y, left_gamma, leaving;
+  double travelled = 0;
+
+ private:
+  void add(Vec2 at, double gamma);
+  void release(const Cloud& cloud, const std::vector<std::size_t>& outlet, Vec2 stream);
+  void sum(std::size_t sources, const std::vector<double>& x, const std::vector<double>& y,
+           std::span<double> u, std::span<double> v) const;
+
+  OuterBox box_{};
+  double margin_ = 0, spin_ = 0;
+  std::vector<double> x_, y_, gamma_;  // those farther inside than the margin first
+  std::size_t inner_ = 0;
+};
+
+}  // namespace vortree::sph

@@ -1,0 +1,57 @@
+#include "sph/choice/choice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "body/extent.hpp"
+#include "flow/steps.hpp"
+
+namespace vortree::sph {
+namespace {
+
+/// 5 lengths around the body, and 7 on the side to which the stream goes.
+std::array<double, 4> usual_box(const flow::Case& of) {
+  const double d = body::length_of(*of.body);
+  const auto [x, y] = of.body->centre;
+  const auto [u, v] = of.flow.stream;
+  std::array<double, 4> box{x - 5 * d, y - 5 * d, x + 5 * d, y + 5 * d};
+  if (u == 0 && v == 0) return box;
+  const bool across = std::abs(v) > std::abs(u);
+  if (across)
+    v > 0 ? box[3] += 2 * d : box[1] -= 2 * d;
+  else
+    u > 0 ? box[2] += 2 * d : box[0] -= 2 * d;
+  return box;
+}
+
+int usual_levels(double spacing, double length) {
+  return 1 + std::clamp(static_cast<int>(std::ceil(std::log2(length / 5 / spacing) - 0.01)), 0, 11);
+}
+
+/// In lengths of the body.
+double fitting_spacing(const flow::Case& of, double accuracy) {
+  const double speed = flow::fastest_of(of), length = body::length_of(*of.body);
+  const double reynolds = speed * length / of.flow.nu;
+  return std::min(5 * accuracy * std::min(1.0, std::sqrt(20 / reynolds)), 0.1);
+}
+
+}  // namespace
+
+void choose_missing(flow::Case& of, SphSettings& own, const flow::Written& written) {
+  const auto open = [&](std::string_view key) { return !written("sph", key); };
+  if (!of.body) return;
+  const double length = body::length_of(*of.body);
+  if (open("spacing") && of.accuracy) own.spacing = fitting_spacing(of, *of.accuracy) * length;
+  if (!(own.spacing > 0))
+    throw Refused("sph.spacing",
+                  "sph.spacing is neither written nor chosen; write it, or accuracy, as 0.01");
+  if (open("levels")) own.levels = usual_levels(own.spacing, length);
+  if (open("zone")) own.zone = length / 2;
+  if (open("box")) own.box = usual_box(of);
+  if (open("reach")) own.reach = own.degree > 2 ? 3.9 : 2.8;
+  const double speed = flow::fastest_of(of);
+  if (!written("time", "dt") && speed > 0)
+    of.time.dt = flow::fitted_step(of, own.courant * own.spacing / speed);
+}
+
+}  // namespace vortree::sph

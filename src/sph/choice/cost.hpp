@@ -1,0 +1,15 @@
+#pragma once
+
+#include "sph/settings.hpp"
+
+namespace vortree::sph {
+
+/// Memory that a particle takes, with its neighbors, weights and rows of both systems.
+inline constexpr double bytes_of_particle = 5000;
+
+/// How many particles a flow begins with: the integral of 1/s^2 over the box without the body, s as
+/// wanted, the body taken for a circle of its perimeter.
+/// error  a tenth
+[[nodiscard]] double expected_particles(const SphCase& scene);
+
+}  // namespace vortree::sph

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "flow/warnings.hpp"
+#include "sph/settings.hpp"
+
+namespace vortree::sph {
+
+/// What will be poor: spacings that are wide for the layers beside the body, too little shifting,
+/// steps longer than shifting holds, a box near the body, an outlet that the wake meets.
+[[nodiscard]] flow::Warnings warnings(const SphCase& scene);
+
+}  // namespace vortree::sph

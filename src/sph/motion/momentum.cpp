@@ -1,0 +1,177 @@
+#include "sph/motion/momentum.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "sph/motion/tuning.hpp"
+#include "sph/operators/derivatives.hpp"
+#include "sph/pressure/diagonal_dominant.hpp"
+#include "tree/base/told.hpp"
+
+namespace vortree::sph {
+namespace {
+
+/// u.grad u at a particle.
+Vec2 convection(const Cloud& cloud, const Stencils& stencils, std::size_t i) {
+  Vec2 sum{};
+  const Vec2 u = cloud.velocity(i);
+  stencils.for_each(i, [&](std::size_t j, std::size_t slot) {
+    const double along = u.x * stencils.weight(0, slot) + u.y * stencils.weight(1, slot);
+    sum += along * (cloud.velocity(j) - u);
+  });
+  return sum;
+}
+
+}  // namespace
+
+double slope_along_wall(const std::vector<double>& omega, std::int32_t node, double spacing) {
+  const auto n = static_cast<std::int32_t>(omega.size());
+  if (n < 5) return 0;
+  const auto at = [&](std::int32_t k) { return omega[(node + k + n) % n]; };
+  return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * spacing);
+}
+
+Iterations Momentum::solve(Cloud& cloud, const Stencils& stencils, const OperatorOptions& options,
+                           const MomentumInput& input, const tree::Phase& phase) {
+  const std::size_t n = cloud.size();
+  const TimeStep& step = input.step;
+  phase("boundary");
+  hu_.resize(n), hv_.resize(n), source_.resize(n), given_.assign(n, 0);
+  px_.resize(n), py_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool wall = cloud.kind[i] == ParticleKind::wall;
+    const Vec2 at_wall = wall ? step.b0() * input.ambient.wall_velocity(cloud.at(i)) : Vec2{};
+    hu_[i] = wall ? at_wall.x : step.b1() * cloud.u[i] - step.b2() * cloud.u_before[i];
+    hv_[i] = wall ? at_wall.y : step.b1() * cloud.v[i] - step.b2() * cloud.v_before[i];
+  }
+  const std::vector<double> u = cloud.u, v = cloud.v;
+  set_boundary(cloud, input);
+  fits_.renew(cloud, stencils, options);
+  set_slopes(cloud, stencils, input);
+  set_outlet(cloud, stencils, input);
+  phase("pressure");
+  find_divergence(hu_, hv_, stencils, source_);
+  for (double& value : source_) value /= step.dt;
+  pressure_.renew(cloud, stencils, fits_, true);
+  Iterations iterations;
+  iterations.pressure = pressure_.solve(source_, given_, cloud.p, input.tolerance).iterations;
+  phase("viscosity");
+  find_gradient(cloud.p, stencils, px_, py_);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!cloud.free(i) && !cloud.passed(i)) continue;
+    hu_[i] -= step.dt * px_[i], hv_[i] -= step.dt * py_[i];
+    cloud.u[i] += step.ratio * (u[i] - cloud.u_before[i]);
+    cloud.v[i] += step.ratio * (v[i] - cloud.v_before[i]);
+  }
+  iterations.viscosity = diffuse(cloud, stencils, input);
+  cloud.u_before = u, cloud.v_before = v;
+  return iterations;
+}
+
+/// Velocities of wall and outer nodes at the end of the step, and of the far field at the outlet.
+void Momentum::set_boundary(Cloud& cloud, const MomentumInput& input) {
+  const Vec2 stream = input.ambient.stream(input.later);
+  std::vector<std::uint32_t> outer;
+  outlet_.clear();
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.kind[i] == ParticleKind::wall) {
+      const Vec2 u = input.ambient.wall_velocity(cloud.at(i));
+      cloud.u[i] = u.x, cloud.v[i] = u.y;
+    }
+    if (cloud.kind[i] == ParticleKind::outer) outer.push_back(i);
+    if (cloud.kind[i] == ParticleKind::outlet) outlet_.push_back(i);
+  }
+  std::ranges::sort(outlet_, {}, [&](std::uint32_t i) { return cloud.place[i]; });
+  const auto gather = [](const std::vector<double>& of, const std::vector<std::uint32_t>& nodes) {
+    std::vector<double> values;
+    for (const std::uint32_t i : nodes) values.push_back(of[i]);
+    return values;
+  };
+  std::vector<double> u(outer.size(), stream.x), v(outer.size(), stream.y);
+  outlet_u_.assign(outlet_.size(), 0), outlet_v_.assign(outlet_.size(), 0);
+  if (input.far_field) {
+    input.far_field->velocity(gather(cloud.x, outer), gather(cloud.y, outer), stream, u, v);
+    input.far_field->velocity_by_inner(gather(cloud.x, outlet_), gather(cloud.y, outlet_),
+                                       outlet_u_, outlet_v_);
+  }
+  for (std::size_t k = 0; k < outer.size(); ++k) cloud.u[outer[k]] = u[k], cloud.v[outer[k]] = v[k];
+}
+
+void Momentum::set_outlet(const Cloud& cloud, const Stencils& stencils,
+                          const MomentumInput& input) {
+  std::vector<double> now(outlet_.size());
+  double sum = 0, rate_before = 0;
+  for (std::size_t k = 0; k < outlet_.size(); ++k) {
+    const std::uint32_t i = outlet_[k];
+    const Vec2 out = -1 * cloud.normal(i), tau{-out.y, out.x};
+    now[k] = dot({outlet_u_[k], outlet_v_[k]}, tau);
+    const bool known = along_outlet.size() == outlet_.size();
+    const double speeding = known ? (now[k] - along_outlet[k]) / input.step.dt : 0;
+    const double rate = speeding + dot(convection(cloud, stencils, i), tau);
+    if (k > 0) {
+      const Vec2 step = cloud.at(i) - cloud.at(outlet_[k - 1]);
+      sum += 0.5 * (rate + rate_before) * dot(step, tau);
+    }
+    rate_before = rate;
+    given_[i] = -sum;
+  }
+  along_outlet = now;
+}
+
+void Momentum::set_slopes(const Cloud& cloud, const Stencils& stencils,
+                          const MomentumInput& input) {
+  const TimeStep& step = input.step;
+  for (const BoundaryFits::Node& node : fits_.nodes()) {
+    const auto i = static_cast<std::size_t>(node.particle);
+    const Vec2 u = cloud.velocity(i), normal = cloud.normal(i);
+    if (cloud.kind[i] == ParticleKind::wall) {
+      const double along =
+          slope_along_wall(input.wall_vorticity, cloud.place[i], input.wall_spacing);
+      given_[i] =
+          -input.ambient.nu * along - dot(normal, input.ambient.wall_acceleration(cloud.at(i)));
+    } else if (cloud.kind[i] == ParticleKind::outer) {
+      const Vec2 rate = 1 / step.dt * (step.b0() * u - Vec2{hu_[i], hv_[i]});
+      given_[i] = -dot(normal, rate + convection(cloud, stencils, i));
+    }
+  }
+}
+
+int Momentum::diffuse(Cloud& cloud, const Stencils& stencils, const MomentumInput& input) {
+  const std::size_t n = cloud.size();
+  const double by = input.ambient.nu * input.step.dt;
+  const double b0 = input.step.b0();
+  viscous_.start.assign(n + 1, 0);
+  for (std::size_t i = 0; i < n; ++i)
+    viscous_.start[i + 1] =
+        viscous_.start[i] + static_cast<std::int32_t>(cloud.inside(i) ? stencils.length(i) : 0);
+  viscous_.index.resize(viscous_.start[n]), viscous_.value.resize(viscous_.start[n]);
+  viscous_.diagonal.resize(n);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < n; ++i) {
+    std::int32_t k = viscous_.start[i];
+    viscous_.diagonal[i] = 1;
+    if (cloud.inside(i)) {
+      double sum = 0;
+      stencils.for_each(i, [&](std::size_t j, std::size_t slot) {
+        const double value = by * stencils.laplacian(slot);
+        viscous_.index[k] = static_cast<std::int32_t>(j), viscous_.value[k++] = -value;
+        sum += value;
+      });
+      viscous_.diagonal[i] = b0 + sum;
+    } else if (cloud.kind[i] == ParticleKind::outlet) {
+      viscous_.diagonal[i] = b0;
+    } else {
+      hu_[i] = cloud.u[i], hv_[i] = cloud.v[i];
+    }
+  }
+  const auto solved = solve_diagonal_dominant(viscous_, {hu_, hv_}, {cloud.u, cloud.v},
+                                              viscous_tolerance, most_iterations);
+  for (const Solved& one : solved)
+    if (!(one.residual < 100 * viscous_tolerance))
+      throw std::runtime_error("the viscous step is not solved: a residual of " +
+                               tree::told(one.residual) + " is left");
+  return solved[0].iterations;
+}
+
+}  // namespace vortree::sph

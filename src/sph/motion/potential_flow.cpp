@@ -1,0 +1,52 @@
+#include "sph/motion/potential_flow.hpp"
+
+#include <numbers>
+#include <vector>
+
+#include "sph/motion/pressure_system.hpp"
+#include "sph/motion/tuning.hpp"
+#include "sph/operators/boundary_fits.hpp"
+#include "sph/operators/derivatives.hpp"
+
+namespace vortree::sph {
+namespace {
+
+/// What the sheet on the wall makes of the stream at a place, less the stream.
+Vec2 by_sheet(const Cloud& cloud, Vec2 at) {
+  Vec2 sum{};
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (cloud.kind[i] != ParticleKind::wall) continue;
+    const Vec2 n = cloud.normal(i), d = at - cloud.at(i);
+    const double gamma = dot(cloud.velocity(i), {-n.y, n.x}) * cloud.spacing[i];
+    sum += gamma / (2 * std::numbers::pi * dot(d, d)) * Vec2{-d.y, d.x};
+  }
+  return sum;
+}
+
+}  // namespace
+
+void start_potential_flow(Cloud& cloud, const Stencils& stencils, const OperatorOptions& options,
+                          const Ambient& ambient, bool unbounded) {
+  const std::size_t n = cloud.size();
+  const Vec2 stream = ambient.stream(0);
+  BoundaryFits fits;
+  fits.renew(cloud, stencils, options);
+  PressureSystem system;
+  system.renew(cloud, stencils, fits, false);
+  std::vector<double> none(n, 0), slope(n, 0), phi(n, 0), x(n), y(n);
+  for (int turn = 0; turn < (unbounded ? 4 : 1); ++turn) {
+    for (const BoundaryFits::Node& node : fits.nodes()) {
+      const auto i = static_cast<std::size_t>(node.particle);
+      const bool wall = cloud.kind[i] == ParticleKind::wall;
+      const Vec2 added =
+          wall ? ambient.wall_velocity(cloud.at(i)) - stream : by_sheet(cloud, cloud.at(i));
+      slope[i] = dot(cloud.normal(i), added);
+    }
+    system.solve(none, slope, phi, start_tolerance);
+    find_gradient(phi, stencils, x, y);
+    for (std::size_t i = 0; i < n; ++i) cloud.u[i] = stream.x + x[i], cloud.v[i] = stream.y + y[i];
+  }
+  cloud.u_before = cloud.u, cloud.v_before = cloud.v;
+}
+
+}  // namespace vortree::sph

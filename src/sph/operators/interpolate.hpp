@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sph/cloud/cloud.hpp"
+#include "sph/operators/derivatives.hpp"
+#include "tree/order/points.hpp"
+
+namespace vortree::sph {
+
+/// A flow between its particles, a value a point.
+///
+/// covered   whether there are particles nearby; else all is 0
+struct Interpolated {
+  std::vector<double> u, v, omega;
+  std::vector<char> covered;
+};
+
+/// Taylor's series of the chosen particles nearer than 1.5 s to a point, weighted by (1 - q^2)^3,
+/// q = r/(1.5 s):
+///
+///   u(x) = sum_j w_j (u_j + change_j(x - x_j)) / sum_j w_j
+///
+/// error   O(s^3) of velocities, O(s^2) of the vorticity, with slopes of degree 2
+/// cost    a neighbor search of particles and points
+[[nodiscard]] Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
+                                       std::span<const std::uint32_t> chosen, tree::Points at);
+
+}  // namespace vortree::sph

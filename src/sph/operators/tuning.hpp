@@ -1,0 +1,14 @@
+#pragma once
+
+// Numbers of this room that were chosen by measurement.
+
+namespace vortree::sph {
+
+/// A pivot of a fit below so much of its diagonal: neighbors on a line, or too few.
+inline constexpr double least_pivot = 1e-5;
+
+/// Near a boundary fits are of degree 2 and reach so many spacings: fits of degree 4 are unstable
+/// there.
+inline constexpr double boundary_reach = 2.8;
+
+}  // namespace vortree::sph

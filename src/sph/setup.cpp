@@ -1,0 +1,159 @@
+#include "sph/setup.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/random.hpp"
+#include "sph/boundary/wall_nodes.hpp"
+#include "sph/motion/shift.hpp"
+#include "sph/motion/tuning.hpp"
+
+namespace vortree::sph {
+namespace {
+
+double area_of(const body::Shape& shape) {
+  constexpr int n = 4096;
+  double twice = 0;
+  Vec2 before = shape.point(0);
+  for (int k = 1; k <= n; ++k) {
+    const Vec2 now = shape.point(k * shape.perimeter() / n);
+    twice += before.x * now.y - before.y * now.x;
+    before = now;
+  }
+  return twice / 2;
+}
+
+OuterBox box_of(const SphCase& scene) {
+  const auto [x0, y0, x1, y1] = *scene.sph.box;
+  const auto [x, y] = scene.body->centre;
+  return {{x0 - x, y0 - y}, {x1 - x, y1 - y}};
+}
+
+/// The side by which the stream leaves.
+bool leaves(const BoundaryNode& node, Vec2 stream) {
+  const bool across = std::abs(stream.y) > std::abs(stream.x);
+  const double outward = -dot(node.normal, stream);
+  return outward > 0 && (node.normal.y != 0) == across;
+}
+
+void add_box(Cloud& cloud, const SphSetup& setup) {
+  const Ambient& ambient = setup.ambient;
+  std::int32_t number = 0;
+  for (const BoundaryNode& node : box_nodes(setup.confines.box, setup.wanted.coarsest())) {
+    const bool outlet = ambient.plunge.frequency == 0 && leaves(node, ambient.steady);
+    cloud.add(node, outlet ? ParticleKind::outlet : ParticleKind::outer, number++);
+  }
+}
+
+void add_body(Cloud& cloud, const SphSetup& setup) {
+  const double spacing = setup.wall_spacing;
+  const int n = static_cast<int>(std::lround(setup.shape->perimeter() / spacing));
+  std::int32_t number = 0;
+  for (const BoundaryNode& node : wall_nodes(*setup.shape, n))
+    cloud.add(node, ParticleKind::wall, number++);
+  for (int ring = 1; ring <= setup.confines.rings; ++ring)
+    for (const BoundaryNode& node :
+         ring_nodes(*setup.shape, ring * spacing, spacing, ring % 2 == 0)) {
+      const std::size_t i = cloud.add(node, ParticleKind::ring, ring);
+      cloud.spacing[i] = std::sqrt(node.spacing * spacing);
+    }
+}
+
+struct StartSquare {
+  Vec2 middle;
+  double side;
+};
+
+std::vector<StartSquare> split(const std::vector<StartSquare>& squares,
+                               const WantedSpacing& wanted) {
+  std::vector<StartSquare> finer;
+  for (const StartSquare& one : squares) {
+    if (wanted.at(one.middle) > 0.75 * one.side) {
+      finer.push_back(one);
+      continue;
+    }
+    for (const Vec2 corner : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{1, 1}})
+      finer.push_back({one.middle + one.side / 4 * corner, one.side / 2});
+  }
+  return finer;
+}
+
+void add_lattice(Cloud& cloud, const SphSetup& setup) {
+  const OuterBox& box = setup.confines.box;
+  const double coarsest = setup.wanted.coarsest();
+  const auto [width, height] = box.size();
+  const long across = std::lround(width / coarsest), up = std::lround(height / coarsest);
+  const double dx = width / across, dy = height / up;
+  std::vector<StartSquare> squares;
+  for (long i = 0; i < across; ++i)
+    for (long j = 0; j < up; ++j)
+      squares.push_back({box.low + Vec2{(i + 0.5) * dx, (j + 0.5) * dy}, std::sqrt(dx * dy)});
+  for (double s = coarsest; s > 1.5 * setup.wanted.finest(); s /= 2)
+    squares = split(squares, setup.wanted);
+  const double least = (setup.confines.rings + 0.55) * setup.wall_spacing;
+  for (const StartSquare& one : squares)
+    if (setup.shape->beyond(one.middle, least) || setup.shape->distance(one.middle) > least)
+      cloud.add(one.middle, one.side, ParticleKind::fluid);
+}
+
+/// A number from -1 to 1, its own for every k.
+double chance(std::uint64_t seed, std::uint64_t k) {
+  return 0x1p-52 * static_cast<double>(splitmix64(seed ^ splitmix64(k)) >> 11) - 1;
+}
+
+void scatter(Cloud& cloud, std::uint64_t seed) {
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (!cloud.free(i)) continue;
+    cloud.x[i] += start_disorder * cloud.spacing[i] * chance(seed, 2 * i);
+    cloud.y[i] += start_disorder * cloud.spacing[i] * chance(seed, 2 * i + 1);
+  }
+}
+
+}  // namespace
+
+SphSetup setup_of(const SphCase& scene) {
+  const body::Bodies bodies = flow::bodies_of(scene);
+  const body::Body& body = bodies.front();
+  const SphSettings& own = scene.sph;
+  const double perimeter = body.shape->perimeter();
+  const double wall_spacing = perimeter / std::lround(perimeter / own.spacing);
+  return {
+      .scales = flow::scales_of(scene),
+      .ambient = {.nu = scene.flow.nu,
+                  .steady = {scene.flow.stream[0], scene.flow.stream[1]},
+                  .plunge = body.motion.plunge,
+                  .spin = body.motion.spin},
+      .centre = body.centre,
+      .shape = body.shape,
+      .area = area_of(*body.shape),
+      .wanted = {body.shape, own.spacing, own.levels, own.zone, own.growth},
+      .confines = {box_of(scene), body.shape.get(), own.rings, wall_spacing},
+      .operators = {own.degree, own.reach, 0},
+      .wall_spacing = wall_spacing,
+      .far_field = own.outside == Outside::free,
+      .shift = own.shift,
+      .courant = own.courant,
+      .tolerance = own.tolerance,
+      .dt = scene.time.dt,
+      .seed = static_cast<std::uint64_t>(scene.seed),
+  };
+}
+
+Cloud starting_cloud(const SphSetup& setup) {
+  Cloud cloud;
+  add_box(cloud, setup);
+  add_body(cloud, setup);
+  add_lattice(cloud, setup);
+  scatter(cloud, setup.seed);
+  sort(cloud);
+  Stencils stencils;
+  for (int k = 0; k < spreading_steps; ++k) {
+    stencils.renew(cloud, setup.operators);
+    spread_evenly(cloud, stencils);
+  }
+  sort(cloud);
+  return cloud;
+}
+
+}  // namespace vortree::sph

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "body/shape.hpp"
+#include "flow/scales.hpp"
+#include "sph/adapt/wanted_spacing.hpp"
+#include "sph/boundary/open_boundary.hpp"
+#include "sph/boundary/outer_box.hpp"
+#include "sph/cloud/cloud.hpp"
+#include "sph/motion/ambient.hpp"
+#include "sph/operators/stencils.hpp"
+#include "sph/settings.hpp"
+
+namespace vortree::sph {
+
+/// A scene made ready, as seen from the body's centre.
+struct SphSetup {
+  flow::Scales scales;
+  Ambient ambient;
+  Vec2 centre{};
+  std::shared_ptr<const body::Shape> shape;
+  double area = 0;  ///< of the body
+  WantedSpacing wanted;
+  Confines confines;
+  OperatorOptions operators;
+  double wall_spacing = 0;
+  bool far_field = true;
+  double shift = 6, courant = 0.3, tolerance = 1e-5, dt = 0;
+  std::uint64_t seed = 1;
+};
+
+[[nodiscard]] SphSetup setup_of(const SphCase& scene);
+
+/// Particles as a flow begins, at rest: nodes on the wall and on the box, rings, and between them a
+/// lattice that is split level by level, moved off its places at random by up to a tenth of the
+/// spacing, and spread evenly. A lattice without a flaw would stay one where the flow strains it,
+/// its rows ever nearer to each other: repulsion cancels there.
+[[nodiscard]] Cloud starting_cloud(const SphSetup& setup);
+
+}  // namespace vortree::sph

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <vector>
+
+#include "flow/solver.hpp"
+#include "sph/boundary/biot_savart.hpp"
+#include "sph/cloud/cloud.hpp"
+#include "sph/motion/momentum.hpp"
+#include "sph/operators/derivatives.hpp"
+#include "sph/operators/stencils.hpp"
+#include "sph/setup.hpp"
+
+namespace vortree::sph {
+
+/// A flow past a body by incompressible SPH of variable resolution. The start is the potential flow
+/// of the stream around the body.
+///
+/// Forces are those at the wall. By impulse they agree in the mean, but births, splits and mergers
+/// change the impulse by some 1e-3 a step, of which differences in time make a tenth of the drag.
+///
+/// A step of dt is made of as many as the Courant number asks for, and the first of a run of short
+/// ones, a tenth of dt and 1.2 times as long from one to the next, the last of them up to twice.
+///
+/// columns   x, y, u, v, pressure, vorticity, spacing, kind (ParticleKind)
+/// measures  particles; circulation; impulse_x, impulse_y; second_moment,
+///           sum gamma |X|^2 from the body's centre; bubble_length, separation_deg as of
+///           vortices; volume, of the particles and half the nodes' in that of the box
+///           without the body;
+///           pressure_iterations of the last step; least_neighbors
+/// drift     of the circulation [U D]
+/// table     wall.csv: vorticity and pressure of each node
+class SphSolver final : public flow::Solver {
+ public:
+  explicit SphSolver(SphSetup setup);
+
+  std::string particle() const override { return "particle"; }
+  std::vector<std::string> phases() const override {
+    return {"move", "adapt", "neighbors", "boundary", "pressure", "viscosity", "slopes"};
+  }
+  void step(const tree::Phase& phase) override;
+  long steps() const override { return steps_; }
+  double time() const override { return static_cast<double>(steps_) * setup_.dt; }
+  std::size_t particles() const override { return cloud_.size(); }
+  flow::Columns columns() const override;
+  flow::Measures measures() const override { return measures_; }
+  std::optional<flow::Force> force() const override { return force_; }
+  std::string route() const override { return "wall"; }
+  double drift() const override { return drift_; }
+  flow::Samples sample(tree::Points at) const override;
+  flow::FrameTable frame_table() const override;
+  std::vector<double> frame_rows() const override;
+  void save(flow::State& state) const override;
+  void restore(long steps, const flow::Columns& columns, const flow::State& state) override;
+
+  const Cloud& cloud() const { return cloud_; }  ///< as seen from the body's centre
+
+ private:
+  struct Traction {
+    Vec2 pressure, friction;
+  };
+
+  void start();
+  void substep(double dt, const tree::Phase& phase);
+  double next_dt(double left) const;
+  void renew_particles(const TimeStep& step, double from);
+  void look();
+  void measure();
+  Traction traction() const;
+  Vec2 impulse() const;
+  double bubble_length() const;
+
+  SphSetup setup_;
+  Cloud cloud_;
+  Stencils stencils_;
+  std::vector<Slopes> slopes_;
+  BiotSavart far_field_;
+  Momentum momentum_;
+  std::vector<Vec2> wall_;  // its nodes
+  std::vector<double> wall_vorticity_, wall_pressure_;
+  double time_ = 0, last_dt_ = 0;
+  long steps_ = 0, substeps_ = 0;
+  Iterations iterations_;
+  flow::Force force_;
+  flow::Measures measures_;
+  double drift_ = 0;
+};
+
+}  // namespace vortree::sph

@@ -1,0 +1,126 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "sph/solver/scene.hpp"
+
+using namespace vortree;
+using namespace vortree::sph::test;
+using Catch::Contains;
+using Box = std::array<double, 4>;
+
+TEST_CASE("an accuracy chooses spacing, levels, zone, box, reach and step of SPH") {
+  SphScene scene;
+  scene.of.accuracy = 0.01;
+  scene.choose();
+  CHECK(scene.number("spacing") == Approx(0.05).epsilon(1e-12));
+  CHECK(scene.number("levels") == 3);  // 0.05, 0.1, 0.2: a fifth of the diameter
+  CHECK(scene.number("zone") == 0.5);
+  CHECK(scene.number("reach") == 2.8);
+  CHECK(scene.box() == Box{-5, -5, 7, 5});
+  // A whole part of the end, as long as the Courant number 0.3 allows.
+  CHECK(scene.of.time.dt <= 0.3 * 0.05);
+  CHECK(scene.of.time.dt > 0.9 * 0.3 * 0.05);
+  CHECK(std::remainder(1.0, scene.of.time.dt) == Approx(0).margin(1e-12));
+  SphScene thinner;  // layers by the root of the Reynolds number
+  thinner.of.accuracy = 0.01, thinner.of.flow.nu = 0.05 / 4;
+  CHECK(thinner.choose().number("spacing") == Approx(0.025).epsilon(1e-12));
+  SphScene coarse;
+  coarse.of.accuracy = 0.5;
+  CHECK(coarse.choose().number("spacing") == 0.1);
+}
+
+TEST_CASE("the box is longer on the side to which the stream goes, around the body") {
+  for (const auto& [stream, box] : {std::pair{Pair{1, 0.5}, Box{-4, -6, 8, 4}},
+                                    {Pair{-1, 0.5}, Box{-6, -6, 6, 4}},
+                                    {Pair{0.5, 2}, Box{-4, -6, 6, 6}},
+                                    {Pair{0.5, -2}, Box{-4, -8, 6, 4}}}) {
+    SphScene scene;
+    scene.of.accuracy = 0.01;
+    scene.of.flow.stream = stream;
+    scene.of.body->centre = {1, -1};
+    CHECK(scene.choose().box() == box);
+  }
+}
+
+TEST_CASE("what is written of SPH stays as it is written") {
+  SphScene scene;
+  scene.of.accuracy = 0.01;
+  scene.set("spacing", 0.08).set("levels", 2).set("zone", 0.2).set("degree", 4).set("reach", 4.2);
+  scene.set("box", Box{-3, -3, 4, 3}).step(0.01).choose();
+  CHECK(scene.number("spacing") == 0.08);
+  CHECK(scene.number("levels") == 2);
+  CHECK(scene.number("zone") == 0.2);
+  CHECK(scene.number("reach") == 4.2);
+  CHECK(scene.box() == Box{-3, -3, 4, 3});
+  CHECK(scene.of.time.dt == 0.01);
+}
+
+TEST_CASE("degree 4 reaches farther") {
+  SphScene scene;
+  CHECK(scene.set("spacing", 0.05).set("degree", 4).choose().number("reach") == 3.9);
+}
+
+TEST_CASE("SPH refuses what it cannot compute, in words with numbers") {
+  SphScene scene;
+  SECTION("neither spacing nor accuracy") {
+    CHECK_THROWS_WITH(scene.choose(), Contains("neither written nor chosen"));
+  }
+  SECTION("no body") {
+    scene.of.body.reset();
+    CHECK_THROWS_WITH(scene.choose(), Contains("needs a [body]"));
+  }
+  SECTION("initial vorticity") {
+    scene.of.initial.emplace();
+    scene.set("spacing", 0.05);
+    CHECK_THROWS_WITH(scene.choose(), Contains("[initial]"));
+  }
+  SECTION("a spacing wider than a fifth of the body") {
+    scene.set("spacing", 0.21);
+    CHECK_THROWS_WITH(scene.choose(), Contains("0.21") && Contains("fifth"));
+  }
+  SECTION("no viscosity") {
+    scene.of.flow.nu = 0;
+    scene.set("spacing", 0.05);
+    CHECK_THROWS_WITH(scene.choose(), Contains("viscosity"));
+  }
+  SECTION("degree 3") {
+    scene.set("spacing", 0.05).set("degree", 3);
+    CHECK_THROWS_WITH(scene.choose(), Contains("sph.degree is 3"));
+  }
+  SECTION("a box that cuts the body, or its rings") {
+    for (const double left : {-0.4, -0.6, -1.2}) {
+      scene.set("spacing", 0.05).set("box", Box{left, -5, 7, 5});
+      CHECK_THROWS_WITH(scene.choose(), Contains("sph.box"));
+    }
+  }
+  SECTION("a box inside out") {
+    scene.set("spacing", 0.05).set("box", Box{5, 5, -5, -5});
+    CHECK_THROWS_WITH(scene.choose(), Contains("sph.box"));
+  }
+}
+
+TEST_CASE("refusals name the key that they are about") {
+  const auto key_of = [](SphScene scene) {
+    try {
+      scene.choose();
+    } catch (const Refused& refused) {
+      return refused.key;
+    }
+    return std::string("none");
+  };
+  CHECK(key_of(SphScene()) == "sph.spacing");
+  CHECK(key_of(SphScene().set("spacing", 0.1).set("degree", 3)) == "sph.degree");
+  CHECK(key_of(SphScene().set("spacing", 0.1).set("box", Box{-1, -1, 1, 1})) == "sph.box");
+  CHECK(key_of(SphScene().set("spacing", 0.1)) == "none");
+}
+
+TEST_CASE("a method that is cloned keeps its settings, a blank one has none") {
+  SphScene scene;
+  scene.set("spacing", 0.07);
+  const auto spacing = [](flow::Method& method) {
+    return **std::get_if<double*>(&method.tables().front().keys().front().target);
+  };
+  CHECK(spacing(*scene.method.clone()) == 0.07);
+  CHECK(spacing(*scene.method.blank()) == 0);
+  CHECK(scene.method.name() == "sph");
+}
