@@ -29,7 +29,8 @@ def kept():
 
 
 def rows_of(scene, summary):
-    yield scene, "blobs", "", summary["blobs"]
+    particles = "blobs" if "blobs" in summary else "particles"
+    yield scene, particles, "", summary[particles]
     for what, found in summary["check"].items():
         if what != "passed" and found["reached"] is not None:
             yield scene, what, found["asked"], found["reached"]

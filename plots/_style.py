@@ -119,6 +119,11 @@ class Run:
         return self.scene.get("check", {})
 
     @property
+    def route(self):
+        """By which route the coefficients are told; the other one is a check."""
+        return "wall" if self.scene.get("method") == "sph" else "impulse"
+
+    @property
     def stream(self):
         return np.array(self.scene["flow"].get("stream", [0.0, 0.0]))
 

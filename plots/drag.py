@@ -3,7 +3,8 @@
 import numpy as np
 from _style import BLUE, INK, ORANGE, Nothing, figure, interpolated, main, rms
 
-ROUTES = (("cd_impulse", "by impulse", BLUE, 1.8), ("cd_wall", "at the wall", ORANGE, 1.0))
+IMPULSE, WALL = ("cd_impulse", "by impulse"), ("cd_wall", "at the wall")
+MEAN = 0.5  # of T, over which the impulse of SPH particles is told: births and mergers are noise
 
 
 def draw(run):
@@ -17,15 +18,29 @@ def draw(run):
     fig = figure(7.2, 5.6 if reference else 4.0, run.scene.get("title"))
     top, bottom = (fig.subplots(2, 1, sharex=True, height_ratios=[2.2, 1]) if reference
                    else (fig.subplots(), None))
-    for column, name, colour, width in ROUTES:
-        top.plot(T, report[column][shown], color=colour, lw=width, label=name)
+    drag = routes(run, report, shown)
+    for (name, values), (colour, width) in zip(drag.items(), ((BLUE, 1.8), (ORANGE, 1.0))):
+        top.plot(T, values, color=colour, lw=width, label=name)
     top.set_ylabel("drag coefficient  $C_D = 2F_x\\,/\\,(\\rho U^2 D)$")
     (bottom or top).set_xlabel("time  $T = Ut/R$")
     top.set_xlim(start, T[-1])
     if reference:
-        compare(top, bottom, reference, T, {c: report[c][shown] for c, *_ in ROUTES})
+        compare(top, bottom, reference, T, drag)
     top.legend(loc="best")
     return fig
+
+
+def routes(run, report, shown):
+    """The main one first, by its name in the figure."""
+    if run.route == "impulse":
+        return {name: report[column][shown] for column, name in (IMPULSE, WALL)}
+    T, raw = report["T"], report[IMPULSE[0]]
+    whole = np.concatenate([[0], np.cumsum(raw * np.gradient(T))])
+    first, last = (np.searchsorted(T, T + by, side) for by, side in ((-MEAN / 2, "left"),
+                                                                     (MEAN / 2, "right")))
+    span = np.concatenate([[0], np.cumsum(np.gradient(T))])
+    mean = (whole[last] - whole[first]) / (span[last] - span[first])
+    return {WALL[1]: report[WALL[0]][shown], f"by impulse, means over $T = {MEAN}$": mean[shown]}
 
 
 def compare(top, bottom, reference, T, drag):
@@ -36,9 +51,9 @@ def compare(top, bottom, reference, T, drag):
     bottom.axhspan(-1, 1, color="#e4e4e4", lw=0)
     bottom.axhline(0, color=INK, lw=0.6)
     largest = 2.0
-    for line, (column, name, colour, width) in zip(top.lines, ROUTES):
-        deviation = 100 * (drag[column] / interpolated(reference["T"], reference["C_D"], T) - 1)
-        bottom.plot(T, deviation, color=colour, lw=width * 0.75)
+    for line, (name, values) in zip(top.lines, drag.items()):
+        deviation = 100 * (values / interpolated(reference["T"], reference["C_D"], T) - 1)
+        bottom.plot(T, deviation, color=line.get_color(), lw=line.get_linewidth() * 0.75)
         if np.isfinite(deviation).any():
             most = np.nanmax(np.abs(deviation))
             largest = max(largest, most)

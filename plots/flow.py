@@ -1,16 +1,13 @@
 """What the flow looks like: vorticity, and the streamlines past a body."""
 
 import numpy as np
+from _colours import COLOURS, UPPER
 from _outline import is_circle, outline
 from _streamlines import streamlines
 from _style import Nothing, figure, main
-from matplotlib.colors import LinearSegmentedColormap, TwoSlopeNorm
+from matplotlib.colors import TwoSlopeNorm
 
 MOST = 4  # panels
-BLUES = ["#1f5fa8", "#3d87c0", "#7db6da", "#b9d9ec", "#e1eff7", "#ffffff"]
-REDS = ["#ffffff", "#fdebe1", "#fac9b0", "#ef9a7c", "#d75f50", "#b3202f"]
-COLOURS = LinearSegmentedColormap.from_list("vorticity", BLUES + REDS[1:])
-UPPER = LinearSegmentedColormap.from_list("positive", REDS)
 
 
 def draw(run):

@@ -26,13 +26,13 @@ def draw(run):
         axes.plot(t[shown], report[f"{name}_wall"][shown], color=ORANGE, lw=0.8,
                   label="at the wall")
         axes.set_ylabel(label)
-    mean = report["cd_impulse"][late].mean()
+    mean = report[f"cd_{run.route}"][late].mean()
     wanted, off = check.get("mean_drag"), check.get("mean_drag_max", 0)
     if wanted:
         drag.axhspan(wanted * (1 - off), wanted * (1 + off), color=GREY, alpha=0.35, lw=0)
     note(drag, f"mean over the grey part {mean:.3f}"
          + (f" (asked {wanted * (1 - off):.2f} to {wanted * (1 + off):.2f})" if wanted else ""))
-    settled = report["cd_impulse"][T >= 10]
+    settled = report[f"cd_{run.route}"][T >= 10]
     low, high = settled.min(), settled.max()
     drag.set_ylim(low - 0.2 * (high - low), high + 0.6 * (high - low))
     drag.legend(loc="lower right", ncol=2)
