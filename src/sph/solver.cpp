@@ -12,6 +12,7 @@
 #include "sph/adapt/population.hpp"
 #include "sph/adapt/refine.hpp"
 #include "sph/boundary/open_boundary.hpp"
+#include "sph/boundary/tuning.hpp"
 #include "sph/motion/edge_filter.hpp"
 #include "sph/motion/potential_flow.hpp"
 #include "sph/motion/shift.hpp"
@@ -25,7 +26,8 @@ SphSolver::SphSolver(SphSetup setup)
     : setup_(std::move(setup)),
       far_field_(setup_.confines.box,
                  edge_share * std::min(setup_.confines.box.size().x, setup_.confines.box.size().y),
-                 setup_.ambient.spin.circulation(setup_.area)) {
+                 setup_.ambient.spin.circulation(setup_.area),
+                 faintest_vortex * setup_.scales.speed * setup_.scales.length) {
   start();
 }
 

@@ -36,7 +36,7 @@ void BiotSavart::renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Ve
   };
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] >= ParticleKind::outer || beside_box(box_, cloud.at(i), margin_, stream) ||
-        std::abs(strength(i)) <= faintest_vortex)
+        std::abs(strength(i)) <= faintest_)
       continue;
     if (box_.depth(cloud.at(i)) > margin_)
       add(cloud.at(i), strength(i));
@@ -85,7 +85,7 @@ void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes
 void BiotSavart::release(const Cloud& cloud, const std::vector<std::size_t>& outlet, Vec2 stream) {
   const Vec2 by = travelled / (2 * std::sqrt(dot(stream, stream))) * stream;
   for (std::size_t k = 0; k < outlet.size(); ++k) {
-    if (std::abs(leaving[k]) <= faintest_vortex) continue;
+    if (std::abs(leaving[k]) <= faintest_) continue;
     const Vec2 at = cloud.at(outlet[k]) + by;
     left_x.push_back(at.x), left_y.push_back(at.y), left_gamma.push_back(leaving[k]);
     leaving[k] = 0;

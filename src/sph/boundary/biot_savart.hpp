@@ -26,10 +26,11 @@ class BiotSavart {
  public:
   BiotSavart() = default;
 
-  /// margin  beside sides without an outlet, within which nothing counts [L]
-  /// spin    circulation of a body that turns, about the origin [L^2/T]
-  BiotSavart(const OuterBox& box, double margin, double spin)
-      : box_(box), margin_(margin), spin_(spin) {}
+  /// margin    beside sides without an outlet, within which nothing counts [L]
+  /// spin      circulation of a body that turns, about the origin [L^2/T]
+  /// faintest  vortices of less circulation do not count [L^2/T]
+  BiotSavart(const OuterBox& box, double margin, double spin, double faintest)
+      : box_(box), margin_(margin), spin_(spin), faintest_(faintest) {}
 
   /// Takes up the vorticity of a cloud.
   void renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream);
@@ -71,7 +72,7 @@ class BiotSavart {
            std::span<double> u, std::span<double> v) const;
 
   OuterBox box_{};
-  double margin_ = 0, spin_ = 0;
+  double margin_ = 0, spin_ = 0, faintest_ = 0;
   std::vector<double> x_, y_, gamma_;  // those farther inside than the margin first
   std::size_t inner_ = 0;
 };

@@ -12,8 +12,7 @@ namespace vortree::sph {
 inline constexpr double least_depth = 0.35, least_beyond_rings = 0.45, too_close = 0.4,
                         birth_depth = 0.75, gap = 0.8;
 
-/// Vortices of less circulation are not handed to the far field [U D of order 1], whose sums err by
-/// so much.
+/// Vortices of less circulation are not handed to the far field [U D], whose sums err by so much.
 inline constexpr double faintest_vortex = 1e-7, far_field_tolerance = 1e-6;
 
 /// With fewer pairs than this the far field sums them one by one.

@@ -27,6 +27,9 @@ void PressureSystem::renew(const Cloud& cloud, const Stencils& stencils, const B
   const std::size_t n = cloud.size();
   cloud_ = &cloud, fits_ = &fits, outlets_ = outlets;
   pinned_ = !outlets || std::ranges::find(cloud.kind, ParticleKind::outlet) == cloud.kind.end();
+  double area = 0;
+  for (std::size_t i = 0; i < n; ++i) area += cloud.volume(i);
+  pin_ = pin / area;
   rows_.start.assign(n + 1, 0);
   for (std::size_t i = 0; i < n; ++i)
     rows_.start[i + 1] =
@@ -54,7 +57,7 @@ void PressureSystem::row_inside(const Cloud& cloud, const Stencils& stencils, st
     rows_.index[k] = static_cast<std::int32_t>(j), rows_.value[k++] = value;
     sum += value;
   });
-  if (pinned_) sum += pin * scale;
+  if (pinned_) sum += pin_ * scale;
   rows_.diagonal[i] = sum == 0 ? -1 : -sum;
 }
 

@@ -17,7 +17,8 @@ namespace vortree::sph {
 ///   boundary   dp/dn = slope, n into the fluid (BoundaryFits)
 ///   outlet     p = value
 ///
-/// Without an outlet the mean of p is 0 and a weak pin, lap p - 1e-5 p, keeps it so.
+/// Without an outlet the mean of p is 0 and a weak pin, lap p - 1e-4/A p, A the area of all, keeps it
+/// so.
 class PressureSystem {
  public:
   /// outlets   hold p; else slopes are given there, too
@@ -37,6 +38,7 @@ class PressureSystem {
   const Cloud* cloud_ = nullptr;
   const BoundaryFits* fits_ = nullptr;
   bool outlets_ = false, pinned_ = false;
+  double pin_ = 0;  // [1/L^2]
   SparseRows rows_;
   PressureSolver solver_;
   std::vector<double> right_;

@@ -7,8 +7,8 @@ namespace vortree::sph {
 /// A shift is at most so much of the spacing times the repulsion, and so many spacings.
 inline constexpr double most_shift = 0.6, longest_shift = 0.15;
 
-/// A pressure without a given value anywhere: lap p - pin p.
-inline constexpr double pin = 1e-5;
+/// A pressure without a given value anywhere: lap p - pin/area p.
+inline constexpr double pin = 1e-4;
 inline constexpr int most_iterations = 400;
 inline constexpr double viscous_tolerance = 1e-7;
 

@@ -80,7 +80,7 @@ void check_direct(const Seen& seen, const std::vector<Vortex>& vortices, Vec2 st
 TEST_CASE("the far field's velocity is the sum over the particles' vorticity and the stream") {
   const Whirls whirls(500);
   const Vec2 stream{0.8, 0.3};
-  BiotSavart far(wide, 1, 0);
+  BiotSavart far(wide, 1, 0, 1e-7);
   far.renew(whirls.cloud, whirls.slopes, stream);
   check_direct(Seen(far, stream), whirls.vortices, stream);
   double circulation = 0;
@@ -93,7 +93,7 @@ TEST_CASE("the far field's velocity is the sum over the particles' vorticity and
 }
 
 TEST_CASE("without vorticity the far field is the stream") {
-  const BiotSavart far(wide, 1, 0);
+  const BiotSavart far(wide, 1, 0, 1e-7);
   const Seen seen(far, {0.5, -2});
   CHECK(std::ranges::all_of(seen.u, [](double u) { return u == 0.5; }));
   CHECK(std::ranges::all_of(seen.v, [](double v) { return v == -2; }));
@@ -135,7 +135,7 @@ double sum_times(const std::vector<double>& a, const std::vector<double>& b) {
 TEST_CASE("what flows out of the outlet becomes vortices of the same circulation and moment") {
   const Outlet outlet;
   const Vec2 stream{1, 0};
-  BiotSavart far(wide, 0.5, 0);
+  BiotSavart far(wide, 0.5, 0, 1e-7);
   for (int step = 0; step < 100; ++step) far.carry_out(outlet.cloud, outlet.slopes, stream, 0.01);
   // In each release of a way of 0.06, but for what still waits.
   const double waits = std::ranges::max(far.leaving, {}, [](double g) { return std::abs(g); });
@@ -158,7 +158,7 @@ TEST_CASE("what flows out of the outlet becomes vortices of the same circulation
 TEST_CASE("what has left drifts on and counts, whatever the particles are") {
   const Whirls whirls(50);
   const Vec2 stream{2, 0.5};
-  BiotSavart far(wide, 0.5, 0);
+  BiotSavart far(wide, 0.5, 0, 1e-7);
   far.left_x = {5.9, 5.8}, far.left_y = {0.3, -0.2}, far.left_gamma = {0.7, -0.4};
   far.carry_out({}, {}, stream, 1);
   far.renew(whirls.cloud, whirls.slopes, stream);
@@ -184,7 +184,7 @@ TEST_CASE("vorticity counts within the margin of the side alone by which the str
     for (const Vec2 at : {left, right, bottom, top, middle}) {
       Whirls one(0);
       one.add(at, 0.1, ParticleKind::fluid, 2);
-      BiotSavart far(wide, margin, 0);
+      BiotSavart far(wide, margin, 0, 1e-7);
       far.renew(one.cloud, one.slopes, stream);
       const bool counts = std::ranges::any_of(
           count, [&](Vec2 there) { return there.x == at.x && there.y == at.y; });
@@ -198,7 +198,7 @@ TEST_CASE("what is within the margin, or has left, is not inner") {
   const Vec2 stream{1, 0};
   Whirls wake = whirls;
   wake.add({5.7, 0.1}, 0.3, ParticleKind::fluid, 3);
-  BiotSavart far(wide, 0.5, 0);
+  BiotSavart far(wide, 0.5, 0, 1e-7);
   far.left_x = {5.9}, far.left_y = {0.3}, far.left_gamma = {0.7};
   far.renew(wake.cloud, wake.slopes, stream);
   Seen seen(far, stream);
@@ -223,7 +223,7 @@ TEST_CASE("the sheet on a circle that slips as in potential flow is the dipole o
     none.push_back({});
     none.back()[1].x = gamma;
   }
-  BiotSavart far(wide, 1, 0);
+  BiotSavart far(wide, 1, 0, 1e-7);
   far.renew(cloud, none, {1, 0});
   far.add_sheet(cloud, 0);
   // Trapezia are exact for the trigonometric polynomials of the sheet and of its impulse.
@@ -251,7 +251,7 @@ TEST_CASE("a body that turns has its circulation, and its wall's own velocity is
     cloud.add(BoundaryNode{radius * e, e, 2 * pi * radius / n}, ParticleKind::wall, k);
   }
   const double circulation = 2 * rate * pi * radius * radius;
-  BiotSavart far(wide, 1, circulation);
+  BiotSavart far(wide, 1, circulation, 1e-7);
   const std::vector<Slopes> none(cloud.size());
   far.renew(cloud, none, {1, 0});
   CHECK(far.circulation() == Approx(circulation).epsilon(1e-14));
