@@ -189,8 +189,11 @@ void SphSolver::measure() {
   double volume = -setup_.area;
   const Vec2 box = setup_.confines.box.size();
   double filled = 0;
-  for (std::size_t i = 0; i < cloud_.size(); ++i)
+  std::size_t least = cloud_.size();
+  for (std::size_t i = 0; i < cloud_.size(); ++i) {
     filled += cloud_.inside(i) ? cloud_.volume(i) : cloud_.volume(i) / 2;
+    if (cloud_.inside(i)) least = std::min(least, stencils_.length(i));
+  }
   volume += box.x * box.y;
   const Vec2 moment = force_.impulse;
   const Ambient& ambient = setup_.ambient;
@@ -206,7 +209,7 @@ void SphSolver::measure() {
                 wake ? flow::separation_angle(wall_vorticity_, wall_, ambient.steady) : 0},
                {"volume", "", filled / volume},
                {"pressure_iterations", "", static_cast<double>(iterations_.pressure)},
-               {"least_neighbors", "", static_cast<double>(stencils_.least_length())}};
+               {"least_neighbors", "", static_cast<double>(least)}};
   drift_ = std::max(drift_, std::abs(circulation) / (scales.speed * scales.length));
 }
 

@@ -22,11 +22,10 @@ namespace vortree::sph {
 /// ones, a tenth of dt and 1.2 times as long from one to the next, the last of them up to twice.
 ///
 /// columns   x, y, u, v, pressure, vorticity, spacing, kind (ParticleKind)
-/// measures  particles; circulation; impulse_x, impulse_y; second_moment,
-///           sum gamma |X|^2 from the body's centre; bubble_length, separation_deg as of
-///           vortices; volume, of the particles and half the nodes' in that of the box
-///           without the body;
-///           pressure_iterations of the last step; least_neighbors
+/// measures  particles; circulation; impulse_x, impulse_y; second_moment, sum gamma |X|^2 from the
+///           body's centre; bubble_length, separation_deg as of vortices; volume, of the particles
+///           and half the nodes' in that of the box without the body; pressure_iterations of the
+///           last step; least_neighbors of a particle that is no node
 /// drift     of the circulation [U D]
 /// table     wall.csv: vorticity and pressure of each node
 class SphSolver final : public flow::Solver {

@@ -83,7 +83,7 @@ class Stencils {
   /// sum_j V_j W_ij with W of integral one, particle i among them: 1 where volumes fill the plane.
   [[nodiscard]] double filling(std::size_t i) const { return filling_[i]; }
 
-  /// Distance to the nearest neighbor, in means of both spacings; 2 or more without any.
+  /// Distance to the nearest neighbor, in means of both spacings; 2 without any.
   [[nodiscard]] double nearest(std::size_t i) const { return nearest_[i]; }
 
   /// Fits of degree 1 where a higher one was meant, and the fewest neighbors of any particle.
