@@ -56,9 +56,10 @@ void check_invariants(std::vector<Verdict>& list, const Finished& run) {
   const Series gamma = rows.column("circulation"), x = rows.column("impulse_x"),
                y = rows.column("impulse_y"), second = rows.column("second_moment"),
                t = rows.column("t");
-  const Series plus = rows.column("circulation_plus");
   const double length = scales.body ? scales.length : scene.initial ? scene.initial->core : 1;
-  double unit = scales.body ? scales.speed * scales.length : std::max(std::abs(gamma[0]), plus[0]);
+  // Of opposite vortices, that of one sign; known to who has no body.
+  double unit = scales.body ? scales.speed * scales.length
+                            : std::max(std::abs(gamma[0]), rows.column("circulation_plus")[0]);
   if (unit == 0) unit = 1;
   // Opposite vortices have none but what rounding leaves.
   const double least = unit * length * length;

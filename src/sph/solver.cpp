@@ -21,6 +21,12 @@
 #include "tree/base/told.hpp"
 
 namespace vortree::sph {
+namespace {
+
+const std::string settings_to_blame =
+    "time.dt, sph.spacing, sph.levels and sph.box are what such flows hang on";
+
+}  // namespace
 
 SphSolver::SphSolver(SphSetup setup)
     : setup_(std::move(setup)),
@@ -103,12 +109,16 @@ double SphSolver::next_dt(double left) const {
   double most = setup_.dt;
   for (std::size_t i = 0; i < cloud_.size(); ++i) {
     const double u = std::sqrt(dot(cloud_.velocity(i), cloud_.velocity(i)));
+    if (u > most_speed * setup_.scales.speed)
+      throw std::runtime_error("a particle moves " + tree::told(u / setup_.scales.speed) +
+                               " times as fast as the stream; " + settings_to_blame);
     if (u * most > largest_courant * setup_.courant * cloud_.spacing[i])
       most = largest_courant * setup_.courant * cloud_.spacing[i] / u;
   }
   if (most < shortest_step * setup_.dt)
     throw std::runtime_error("particles are so fast that a step of " + tree::told(setup_.dt) +
-                             " would have to be shorter than " + tree::told(most));
+                             " would have to be shorter than " + tree::told(most) + "; " +
+                             settings_to_blame);
   const auto parts = [&](double longest) {
     return std::ceil(left / std::min(most, longest) - 1e-9);
   };

@@ -5,6 +5,7 @@
 
 #include "body/extent.hpp"
 #include "flow/steps.hpp"
+#include "sph/choice/cost.hpp"
 
 namespace vortree::sph {
 namespace {
@@ -35,6 +36,11 @@ double fitting_spacing(const flow::Case& of, double accuracy) {
   return std::min(5 * accuracy * std::min(1.0, std::sqrt(20 / reynolds)), 0.1);
 }
 
+/// The widest spacing is wanted farther off than the box reaches.
+bool beyond_box(const SphCase& scene) {
+  return spacing_at_box(scene) < 0.6 * scene.sph.spacing * std::exp2(scene.sph.levels - 1);
+}
+
 }  // namespace
 
 void choose_missing(flow::Case& of, SphSettings& own, const flow::Written& written) {
@@ -48,6 +54,7 @@ void choose_missing(flow::Case& of, SphSettings& own, const flow::Written& writt
   if (open("levels")) own.levels = usual_levels(own.spacing, length);
   if (open("zone")) own.zone = length / 2;
   if (open("box")) own.box = usual_box(of);
+  while (open("levels") && own.levels > 1 && beyond_box({of, own})) --own.levels;
   if (open("reach")) own.reach = own.degree > 2 ? 3.9 : 2.8;
   const double speed = flow::fastest_of(of);
   if (!written("time", "dt") && speed > 0)

@@ -9,7 +9,7 @@ namespace vortree::sph {
 ///
 ///   spacing    5 accuracy D sqrt(20/Re), at most D/10: an error of the drag of about accuracy, as
 ///              layers beside the body are thinner by the root of Re
-///   levels     so many that the widest spacing is D/5 or more
+///   levels     so many that the widest spacing is D/5 or more, if the box has room for them
 ///   zone       D/2
 ///   box        5 D around the body's centre, 7 D on the side to which the stream goes
 ///   reach      2.8 spacings with degree 2, 3.9 with degree 4

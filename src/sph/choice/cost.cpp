@@ -1,21 +1,50 @@
 #include "sph/choice/cost.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
+#include <vector>
 
 #include "body/extent.hpp"
 #include "body/shapes/circle.hpp"
+#include "body/shapes/shapes.hpp"
 #include "sph/adapt/wanted_spacing.hpp"
 
 namespace vortree::sph {
+namespace {
+
+double radius_of(const body::BodySettings& body) {
+  return body::perimeter_of(body) / (2 * std::numbers::pi);
+}
+
+WantedSpacing wanted_of(const SphCase& scene) {
+  const SphSettings& own = scene.sph;
+  return {body::circle({}, radius_of(*scene.body)), own.spacing, own.levels, own.zone, own.growth};
+}
+
+}  // namespace
+
+double spacing_at_box(const SphCase& scene) {
+  const auto [x0, y0, x1, y1] = *scene.sph.box;
+  const auto [x, y] = scene.body->centre;
+  const double nearest = std::min({x - x0, x1 - x, y - y0, y1 - y});
+  return wanted_of(scene).at({nearest, 0});
+}
+
+double thickness_of(const body::BodySettings& body) {
+  const std::vector<body::OutlinePoint> outline = body::outline_of(body)->trace();
+  double twice = 0;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    const Vec2 a = outline[k].at, b = outline[(k + 1) % outline.size()].at;
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2 / body::length_of(body);
+}
 
 double expected_particles(const SphCase& scene) {
   const SphSettings& own = scene.sph;
-  const double perimeter = body::perimeter_of(*scene.body);
-  const double radius = perimeter / (2 * std::numbers::pi);
-  const WantedSpacing wanted(body::circle({}, radius), own.spacing, own.levels, own.zone,
-                             own.growth);
+  const double radius = radius_of(*scene.body);
+  const WantedSpacing wanted = wanted_of(scene);
   const auto [x0, y0, x1, y1] = *own.box;
   const double outermost = std::sqrt((x1 - x0) * (y1 - y0) / std::numbers::pi);
   constexpr int pieces = 1000;

@@ -12,4 +12,10 @@ inline constexpr double bytes_of_particle = 5000;
 /// error  a tenth
 [[nodiscard]] double expected_particles(const SphCase& scene);
 
+/// The spacing that is wanted at the nearest side of the box, the body taken for a circle as above.
+[[nodiscard]] double spacing_at_box(const SphCase& scene);
+
+/// Mean thickness of the body, its area over its length [L].
+[[nodiscard]] double thickness_of(const body::BodySettings& body);
+
 }  // namespace vortree::sph

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "body/extent.hpp"
 #include "flow/solver.hpp"
@@ -11,19 +12,48 @@
 
 namespace vortree::sph {
 
-void refuse_senseless(const SphCase& scene) {
-  const SphSettings& own = scene.sph;
+namespace {
+
+void refuse_flow(const SphCase& scene) {
   if (!scene.body) throw Refused("method", "method is \"sph\", which needs a [body]");
   if (scene.initial)
     throw Refused("initial", "[initial] vorticity is known to vortices only; method is \"sph\"");
   if (!(scene.flow.nu > 0)) throw Refused("flow.nu", "flow.nu is 0; SPH needs a viscosity > 0");
+  if (scene.plunge && flow::speed_of_stream(scene) > 0)
+    throw Refused("plunge",
+                  "[plunge] in a flow.stream is known to vortices only; method is \"sph\", and its "
+                  "box has no way out for such a wake");
+}
+
+/// Fits need neighbors enough to tell their terms apart, and no more than are near.
+void refuse_operators(const SphSettings& own) {
   if (own.degree == 3) throw Refused("sph.degree", "sph.degree is 3; 2 or 4 was expected");
-  const double length = body::length_of(*scene.body);
-  if (own.spacing > length / 5)
-    throw Refused("sph.spacing",
-                  fmt::format("sph.spacing is {}; a fifth of the body's length {} at most was "
-                              "expected",
-                              own.spacing, length));
+  const auto [least, most] = own.degree > 2 ? std::pair{3.2, 5.0} : std::pair{2.4, 4.0};
+  if (own.reach < least || own.reach > most)
+    throw Refused("sph.reach", fmt::format("sph.reach is {}; with sph.degree = {}, {} .. {} was "
+                                           "expected",
+                                           own.reach, own.degree, least, most));
+}
+
+void refuse_spacing(const SphCase& scene) {
+  const SphSettings& own = scene.sph;
+  const double length = body::length_of(*scene.body), thickness = thickness_of(*scene.body);
+  const double most = std::min(length / 5, thickness / 2);
+  if (own.spacing > most)
+    throw Refused(
+        "sph.spacing",
+        fmt::format("sph.spacing is {}; {:.3g} at most was expected: a fifth of the body's "
+                    "length, half its mean thickness",
+                    own.spacing, most));
+  if (own.zone < own.rings * own.spacing)
+    throw Refused("sph.zone",
+                  fmt::format("sph.zone is {}; the {} rings of particles beside the body must lie "
+                              "within, {:.3g} or more was expected",
+                              own.zone, own.rings, own.rings * own.spacing));
+}
+
+void refuse_box(const SphCase& scene) {
+  const SphSettings& own = scene.sph;
   const auto [x0, y0, x1, y1] = *own.box;
   const double coarsest = own.spacing * std::exp2(own.levels - 1);
   const auto [half_x, half_y] = body::half_extent(*scene.body);
@@ -31,9 +61,25 @@ void refuse_senseless(const SphCase& scene) {
   const double room = (own.rings + 2) * own.spacing + 2 * coarsest;
   if (!(x0 < x - half_x - room && x1 > x + half_x + room && y0 < y - half_y - room &&
         y1 > y + half_y + room))
-    throw Refused("sph.box", fmt::format("sph.box is [{}, {}, {}, {}]; the body, its rings and two "
-                                         "of the coarsest spacings, {}, must lie within",
-                                         x0, y0, x1, y1, coarsest));
+    throw Refused("sph.box", fmt::format("sph.box is [{}, {}, {}, {}]; {:.3g} around the body was "
+                                         "expected, for its rings and two of the widest spacings",
+                                         x0, y0, x1, y1, room));
+  if (spacing_at_box(scene) < 0.5 * coarsest)
+    throw Refused(
+        "sph.levels",
+        fmt::format("sph.levels is {}; at the nearest side of the box particles are still "
+                    "{:.3g} apart, less than half the widest spacing, {:.3g}: fewer levels, "
+                    "a smaller zone or a larger box was expected",
+                    own.levels, spacing_at_box(scene), coarsest));
+}
+
+}  // namespace
+
+void refuse_senseless(const SphCase& scene) {
+  refuse_flow(scene);
+  refuse_operators(scene.sph);
+  refuse_spacing(scene);
+  refuse_box(scene);
 }
 
 void refuse_beyond(const SphCase& scene, double memory) {

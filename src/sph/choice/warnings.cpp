@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "body/extent.hpp"
+#include "sph/choice/cost.hpp"
 
 namespace vortree::sph {
 namespace {
@@ -20,6 +21,17 @@ void doubt_spacing(flow::Warnings& list, const SphCase& scene) {
         "sph.spacing = {:.3g}: at Re = {:.4g} the layer beside the body is {:.2g} thick; forces "
         "want {:.2g} or less",
         scene.sph.spacing, reynolds, 3 * widest, widest));
+}
+
+/// Less than two rows of neighbors fit beside each other in the body.
+void doubt_thickness(flow::Warnings& list, const SphCase& scene) {
+  const double thickness = thickness_of(*scene.body), widest = thickness / 4;
+  if (scene.sph.spacing > widest)
+    list.push_back(
+        fmt::format("sph.spacing = {:.3g}: the body is {:.2g} thick in the mean, and particles on "
+                    "both sides of "
+                    "it would feel each other; {:.2g} or less is wanted",
+                    scene.sph.spacing, thickness, widest));
 }
 
 void doubt_motion(flow::Warnings& list, const SphSettings& own) {
@@ -44,13 +56,39 @@ void doubt_box(flow::Warnings& list, const SphCase& scene) {
         wanted));
 }
 
+/// Vorticity that comes to a side by which the stream does not leave is lost to the far field.
+void doubt_sides(flow::Warnings& list, const SphCase& scene) {
+  const auto [x, y] = scene.body->centre;
+  const auto [x0, y0, x1, y1] = *scene.sph.box;
+  const auto [u, v] = scene.flow.stream;
+  const double end = scene.time.end, spread = std::sqrt(4 * scene.flow.nu * end);
+  const double near = 0.85 * std::min({x - x0, x1 - x, y - y0, y1 - y});
+  if (spread > near)
+    list.push_back(
+        fmt::format("time.end = {:.3g}: vorticity spreads over {:.2g} by then, and beside the "
+                    "sides of sph.box, "
+                    "from {:.2g} on, it does not count; a larger box is wanted",
+                    end, spread, near));
+  const bool across = std::abs(v) > std::abs(u);
+  const double way = end * std::min(std::abs(u), std::abs(v));
+  const double room = across ? std::min(x - x0, x1 - x) : std::min(y - y0, y1 - y);
+  if (way > 0.85 * room)
+    list.push_back(
+        fmt::format("flow.stream = [{:.3g}, {:.3g}]: by time.end = {:.3g} the wake comes to a side "
+                    "of sph.box that "
+                    "lets nothing out; only the side which the stream meets first does",
+                    u, v, end));
+}
+
 }  // namespace
 
 flow::Warnings warnings(const SphCase& scene) {
   flow::Warnings list;
   doubt_spacing(list, scene);
+  doubt_thickness(list, scene);
   doubt_motion(list, scene.sph);
   doubt_box(list, scene);
+  doubt_sides(list, scene);
   return list;
 }
 

@@ -83,7 +83,7 @@ Solved PressureSystem::solve(std::span<const double> source, std::span<const dou
   const bool closed = pinned_ && fits_->nodes().empty();
   for (std::size_t i = 0; i < n && closed; ++i) right_[i] -= sum / volume * cloud_->volume(i);
   const Solved solved = solver_.solve(right_, p, tolerance, most_iterations);
-  if (!(solved.residual < 100 * tolerance))
+  if (!(solved.residual < std::min(100 * tolerance, 0.01 + tolerance)))
     throw std::runtime_error("the pressure is not found: a residual of " +
                              tree::told(solved.residual) + " is left after " +
                              std::to_string(solved.iterations) + " iterations");

@@ -17,8 +17,8 @@ namespace vortree::sph {
 ///   boundary   dp/dn = slope, n into the fluid (BoundaryFits)
 ///   outlet     p = value
 ///
-/// Without an outlet the mean of p is 0 and a weak pin, lap p - 1e-4/A p, A the area of all, keeps it
-/// so.
+/// Without an outlet the mean of p is 0 and a weak pin, lap p - 1e-4/A p, A the area of all, keeps
+/// it so.
 class PressureSystem {
  public:
   /// outlets   hold p; else slopes are given there, too
@@ -27,7 +27,8 @@ class PressureSystem {
   /// source   of all particles; only those inside count
   /// given    of all particles; slopes of wall and outer nodes, values of outlets
   /// p        first guess in, answer out
-  /// throws   std::runtime_error with the residual, if it stays above 100 tolerance
+  /// throws   std::runtime_error with the residual, if it stays above 100 tolerance, or
+  ///          0.01 more than that
   Solved solve(std::span<const double> source, std::span<const double> given, std::span<double> p,
                double tolerance);
 

@@ -42,4 +42,9 @@ inline constexpr double shortest_step = 1e-3;
 /// Particles are sorted again after so many steps.
 inline constexpr long sort_every = 5;
 
+/// A flow in which something moves so many times as fast as the stream has broken: at the ends of
+/// the thinnest body that is computed, ten times as long as thick, potential flow is eleven times
+/// as fast.
+inline constexpr double most_speed = 30;
+
 }  // namespace vortree::sph

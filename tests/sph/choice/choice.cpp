@@ -45,11 +45,11 @@ TEST_CASE("the box is longer on the side to which the stream goes, around the bo
 TEST_CASE("what is written of SPH stays as it is written") {
   SphScene scene;
   scene.of.accuracy = 0.01;
-  scene.set("spacing", 0.08).set("levels", 2).set("zone", 0.2).set("degree", 4).set("reach", 4.2);
+  scene.set("spacing", 0.08).set("levels", 2).set("zone", 0.4).set("degree", 4).set("reach", 4.2);
   scene.set("box", Box{-3, -3, 4, 3}).step(0.01).choose();
   CHECK(scene.number("spacing") == 0.08);
   CHECK(scene.number("levels") == 2);
-  CHECK(scene.number("zone") == 0.2);
+  CHECK(scene.number("zone") == 0.4);
   CHECK(scene.number("reach") == 4.2);
   CHECK(scene.box() == Box{-3, -3, 4, 3});
   CHECK(scene.of.time.dt == 0.01);
@@ -88,10 +88,34 @@ TEST_CASE("SPH refuses what it cannot compute, in words with numbers") {
     CHECK_THROWS_WITH(scene.choose(), Contains("sph.degree is 3"));
   }
   SECTION("a box that cuts the body, or its rings") {
-    for (const double left : {-0.4, -0.6, -1.2}) {
+    for (const double left : {-0.4, -0.6, -0.85}) {
       scene.set("spacing", 0.05).set("box", Box{left, -5, 7, 5});
       CHECK_THROWS_WITH(scene.choose(), Contains("sph.box"));
     }
+  }
+  SECTION("a body that plunges in a stream") {
+    scene.of.plunge = body::PlungeSettings{0.1, 0.5, {0, 1}};
+    scene.set("spacing", 0.05);
+    CHECK_THROWS_WITH(scene.choose(), Contains("[plunge] in a flow.stream"));
+  }
+  SECTION("a reach that does not go with the degree") {
+    scene.set("spacing", 0.05).set("reach", 2.0);
+    CHECK_THROWS_WITH(scene.choose(), Contains("sph.reach is 2") && Contains("2.4 .. 4"));
+    scene.set("degree", 4).set("reach", 8.0);
+    CHECK_THROWS_WITH(scene.choose(), Contains("3.2 .. 5"));
+  }
+  SECTION("rings wider than the finest zone") {
+    scene.set("spacing", 0.05).set("rings", 16);
+    CHECK_THROWS_WITH(scene.choose(), Contains("sph.zone is 0.5") && Contains("16 rings"));
+  }
+  SECTION("a box in which the widest spacing is not reached") {
+    scene.set("spacing", 0.05).set("levels", 4).set("box", Box{-2, -2, 3, 2});
+    CHECK_THROWS_WITH(scene.choose(), Contains("sph.levels is 4"));
+  }
+  SECTION("a body thinner than two particles") {
+    scene.of.body = vortree::test::ellipse(0.5, 0.02);
+    scene.set("spacing", 0.05);
+    CHECK_THROWS_WITH(scene.choose(), Contains("half its mean thickness"));
   }
   SECTION("a box inside out") {
     scene.set("spacing", 0.05).set("box", Box{5, 5, -5, -5});

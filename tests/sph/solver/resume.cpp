@@ -51,6 +51,7 @@ TEST_CASE("flows with degree 4, in a box, with a body that plunges or turns are 
   }
   SECTION("plunges") {
     scene.of.plunge = body::PlungeSettings{0.1, 0.5, {0, 1}};
+    scene.of.flow.stream = {0, 0};
   }
   SECTION("along y") {
     scene.of.flow.stream = {0, -1};
