@@ -103,6 +103,21 @@ def what_a_digit_costs():
         hold(f"README.md: {cells[0].strip()}", cells[1], drag[accuracy])
 
 
+def cylinder_by_sph():
+    """The sweep of cylinder_re20_sph: cases/README.md."""
+    rows = read("cases/cylinder_re20_sph.csv")
+    errors = ("drag_max", "drag_rms", "separation_max_deg", "routes_max")
+    fits = [[order([row["accuracy"] for row in rows], [row[name] for row in rows])]
+            for name in errors]
+    hold_table("cases/README.md", "| accuracy | spacing",
+               [[[row["accuracy"]], None, *([row[name]] for name in errors), [row["blobs"]], None]
+                for row in rows] + [[None, [], *fits, [], []]])
+    row = next(row for row in rows if row["accuracy"] == "0.005")
+    for cells in table("README.md", "| | accurate to | in |"):
+        if cells[0].startswith(" drag at Re = 20 by SPH"):
+            hold("README.md: SPH", cells[1], [row["drag_rms"], row["drag_max"]])
+
+
 def three_ways_to_diffuse():
     rows = read("cases/diffusion.csv")
     ways = [rows[k:k + 3] for k in (0, 3, 6)]
@@ -198,6 +213,7 @@ def gallery():
 
 
 what_a_digit_costs()
+cylinder_by_sph()
 three_ways_to_diffuse()
 found, asked = reached()
 cylinder_at_550(found, asked)
