@@ -12,18 +12,6 @@
 namespace vortree::sph {
 namespace {
 
-double area_of(const body::Shape& shape) {
-  constexpr int n = 4096;
-  double twice = 0;
-  Vec2 before = shape.point(0);
-  for (int k = 1; k <= n; ++k) {
-    const Vec2 now = shape.point(k * shape.perimeter() / n);
-    twice += before.x * now.y - before.y * now.x;
-    before = now;
-  }
-  return twice / 2;
-}
-
 OuterBox box_of(const SphCase& scene) {
   const auto [x0, y0, x1, y1] = *scene.sph.box;
   const auto [x, y] = scene.body->centre;

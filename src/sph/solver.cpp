@@ -39,12 +39,7 @@ SphSolver::SphSolver(SphSetup setup)
 
 void SphSolver::start() {
   cloud_ = starting_cloud(setup_);
-  for (std::size_t i = 0; i < cloud_.size(); ++i) {
-    if (cloud_.kind[i] != ParticleKind::wall) continue;
-    const auto number = static_cast<std::size_t>(cloud_.place[i]);
-    wall_.resize(std::max(wall_.size(), number + 1));
-    wall_[number] = cloud_.at(i);
-  }
+  for (const std::uint32_t i : in_order(cloud_, ParticleKind::wall)) wall_.push_back(cloud_.at(i));
   stencils_.renew(cloud_, setup_.operators);
   start_potential_flow(cloud_, stencils_, setup_.operators, setup_.ambient, setup_.far_field);
   look();
@@ -135,7 +130,7 @@ void SphSolver::substep(double dt, const tree::Phase& phase) {
   shift_and_move(cloud_, stencils_, slopes_, step, setup_.shift);
   phase("adapt");
   far_field_.carry_out(cloud_, slopes_, setup_.ambient.stream(time_ + dt / 2), dt);
-  renew_particles(step, time_);
+  renew_particles();
   if (substeps_ % sort_every == 0) sort(cloud_);
   phase("neighbors");
   stencils_.renew(cloud_, setup_.operators);
@@ -153,7 +148,7 @@ void SphSolver::substep(double dt, const tree::Phase& phase) {
   look();
 }
 
-void SphSolver::renew_particles(const TimeStep&, double) {
+void SphSolver::renew_particles() {
   Population population(cloud_, stencils_, slopes_);
   correct_volumes(population, setup_.wanted);
   take_away(population, setup_.confines);

@@ -61,7 +61,7 @@ class SphSolver final : public flow::Solver {
   void start();
   void substep(double dt, const tree::Phase& phase);
   double next_dt(double left) const;
-  void renew_particles(const TimeStep& step, double from);
+  void renew_particles();
   void look();
   void measure();
   Traction traction() const;

@@ -65,11 +65,8 @@ void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes
                            double dt) {
   for (double& x : left_x) x += dt * stream.x;
   for (double& y : left_y) y += dt * stream.y;
-  std::vector<std::size_t> outlet;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (cloud.kind[i] == ParticleKind::outlet) outlet.push_back(i);
+  const std::vector<std::uint32_t> outlet = in_order(cloud, ParticleKind::outlet);
   if (outlet.empty()) return;
-  std::ranges::sort(outlet, {}, [&](std::size_t i) { return cloud.place[i]; });
   leaving.resize(outlet.size());
   for (std::size_t k = 0; k < outlet.size(); ++k) {
     const std::size_t i = outlet[k];
@@ -82,7 +79,8 @@ void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes
 }
 
 /// What has flowed out meanwhile stands in the middle of its way.
-void BiotSavart::release(const Cloud& cloud, const std::vector<std::size_t>& outlet, Vec2 stream) {
+void BiotSavart::release(const Cloud& cloud, const std::vector<std::uint32_t>& outlet,
+                         Vec2 stream) {
   const Vec2 by = travelled / (2 * std::sqrt(dot(stream, stream))) * stream;
   for (std::size_t k = 0; k < outlet.size(); ++k) {
     if (std::abs(leaving[k]) <= faintest_) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -67,7 +68,7 @@ class BiotSavart {
 
  private:
   void add(Vec2 at, double gamma);
-  void release(const Cloud& cloud, const std::vector<std::size_t>& outlet, Vec2 stream);
+  void release(const Cloud& cloud, const std::vector<std::uint32_t>& outlet, Vec2 stream);
   void sum(std::size_t sources, const std::vector<double>& x, const std::vector<double>& y,
            std::span<double> u, std::span<double> v) const;
 

@@ -54,6 +54,18 @@ double outline_arc(const body::Shape& shape, const std::vector<double>& turned, 
 
 }  // namespace
 
+double area_of(const body::Shape& shape) {
+  constexpr int n = 4096;
+  double twice = 0;
+  Vec2 before = shape.point(0);
+  for (int k = 1; k <= n; ++k) {
+    const Vec2 now = shape.point(k * shape.perimeter() / n);
+    twice += before.x * now.y - before.y * now.x;
+    before = now;
+  }
+  return twice / 2;
+}
+
 std::vector<BoundaryNode> wall_nodes(const body::Shape& shape, int n) {
   std::vector<BoundaryNode> nodes;
   const double spacing = shape.perimeter() / n;

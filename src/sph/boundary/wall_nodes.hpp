@@ -7,6 +7,9 @@
 
 namespace vortree::sph {
 
+/// Area within an outline [L^2], of the polygon through 4096 places at equal steps of the arc.
+[[nodiscard]] double area_of(const body::Shape& shape);
+
 /// n nodes at equal steps of the arc of an outline, the first half a step from its first point.
 [[nodiscard]] std::vector<BoundaryNode> wall_nodes(const body::Shape& shape, int n);
 

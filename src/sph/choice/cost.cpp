@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "body/extent.hpp"
 #include "body/shapes/circle.hpp"
 #include "body/shapes/shapes.hpp"
 #include "sph/adapt/wanted_spacing.hpp"
+#include "sph/boundary/wall_nodes.hpp"
 
 namespace vortree::sph {
 namespace {
@@ -32,13 +32,7 @@ double spacing_at_box(const SphCase& scene) {
 }
 
 double thickness_of(const body::BodySettings& body) {
-  const std::vector<body::OutlinePoint> outline = body::outline_of(body)->trace();
-  double twice = 0;
-  for (std::size_t k = 0; k < outline.size(); ++k) {
-    const Vec2 a = outline[k].at, b = outline[(k + 1) % outline.size()].at;
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return twice / 2 / body::length_of(body);
+  return area_of(*body::outline_of(body)) / body::length_of(body);
 }
 
 double expected_particles(const SphCase& scene) {

@@ -1,5 +1,7 @@
 #include "sph/cloud/cloud.hpp"
 
+#include <algorithm>
+
 #include "tree/order/sort.hpp"
 
 namespace vortree::sph {
@@ -40,6 +42,14 @@ void Cloud::reorder(std::span<const std::uint32_t> order) {
     const auto before = column;
     for (std::size_t i = 0; i < order.size(); ++i) column[i] = before[order[i]];
   });
+}
+
+std::vector<std::uint32_t> in_order(const Cloud& cloud, ParticleKind kind) {
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t i = 0; i < cloud.size(); ++i)
+    if (cloud.kind[i] == kind) nodes.push_back(i);
+  std::ranges::sort(nodes, {}, [&](std::uint32_t i) { return cloud.place[i]; });
+  return nodes;
 }
 
 void sort(Cloud& cloud) {

@@ -75,6 +75,9 @@ inline constexpr std::array carried{&Cloud::u, &Cloud::v, &Cloud::u_before, &Clo
                                     &Cloud::p};
 inline constexpr std::size_t carried_count = carried.size();
 
+/// The nodes of a boundary, by their places.
+[[nodiscard]] std::vector<std::uint32_t> in_order(const Cloud& cloud, ParticleKind kind);
+
 /// Puts the particles into Morton order, in which those near in space are near in memory.
 void sort(Cloud& cloud);
 

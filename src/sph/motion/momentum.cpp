@@ -1,6 +1,5 @@
 #include "sph/motion/momentum.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -73,16 +72,14 @@ Iterations Momentum::solve(Cloud& cloud, const Stencils& stencils, const Operato
 void Momentum::set_boundary(Cloud& cloud, const MomentumInput& input) {
   const Vec2 stream = input.ambient.stream(input.later);
   std::vector<std::uint32_t> outer;
-  outlet_.clear();
+  outlet_ = in_order(cloud, ParticleKind::outlet);
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] == ParticleKind::wall) {
       const Vec2 u = input.ambient.wall_velocity(cloud.at(i));
       cloud.u[i] = u.x, cloud.v[i] = u.y;
     }
     if (cloud.kind[i] == ParticleKind::outer) outer.push_back(i);
-    if (cloud.kind[i] == ParticleKind::outlet) outlet_.push_back(i);
   }
-  std::ranges::sort(outlet_, {}, [&](std::uint32_t i) { return cloud.place[i]; });
   const auto gather = [](const std::vector<double>& of, const std::vector<std::uint32_t>& nodes) {
     std::vector<double> values;
     for (const std::uint32_t i : nodes) values.push_back(of[i]);
