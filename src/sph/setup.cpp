@@ -29,7 +29,7 @@ void add_box(Cloud& cloud, const SphSetup& setup) {
   const Ambient& ambient = setup.ambient;
   std::int32_t number = 0;
   for (const BoundaryNode& node : box_nodes(setup.confines.box, setup.wanted.coarsest())) {
-    const bool outlet = ambient.plunge.frequency == 0 && leaves(node, ambient.steady);
+    const bool outlet = leaves(node, ambient.steady);
     cloud.add(node, outlet ? ParticleKind::outlet : ParticleKind::outer, number++);
   }
 }
@@ -115,9 +115,10 @@ SphSetup setup_of(const SphCase& scene) {
       .centre = body.centre,
       .shape = body.shape,
       .area = area_of(*body.shape),
+      .initial = scene.initial,
       .wanted = {body.shape, own.spacing, own.levels, own.zone, own.growth},
       .confines = {box_of(scene), body.shape.get(), own.rings, wall_spacing},
-      .operators = {own.degree, own.reach, 0},
+      .operators = {own.degree, own.reach, 0, body.shape.get()},
       .wall_spacing = wall_spacing,
       .far_field = own.outside == Outside::free,
       .shift = own.shift,

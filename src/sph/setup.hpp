@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "body/shape.hpp"
+#include "flow/initial/settings.hpp"
 #include "flow/scales.hpp"
 #include "sph/adapt/wanted_spacing.hpp"
 #include "sph/boundary/open_boundary.hpp"
@@ -22,6 +24,7 @@ struct SphSetup {
   Vec2 centre{};
   std::shared_ptr<const body::Shape> shape;
   double area = 0;  ///< of the body
+  std::optional<flow::InitialSettings> initial{};
   WantedSpacing wanted;
   Confines confines;
   OperatorOptions operators;

@@ -14,6 +14,7 @@
 #include "sph/boundary/open_boundary.hpp"
 #include "sph/boundary/tuning.hpp"
 #include "sph/motion/edge_filter.hpp"
+#include "sph/motion/initial_vortices.hpp"
 #include "sph/motion/potential_flow.hpp"
 #include "sph/motion/shift.hpp"
 #include "sph/motion/tuning.hpp"
@@ -41,6 +42,7 @@ void SphSolver::start() {
   cloud_ = starting_cloud(setup_);
   for (const std::uint32_t i : in_order(cloud_, ParticleKind::wall)) wall_.push_back(cloud_.at(i));
   stencils_.renew(cloud_, setup_.operators);
+  if (setup_.initial) add_initial_vortices(cloud_, *setup_.initial, setup_.centre);
   start_potential_flow(cloud_, stencils_, setup_.operators, setup_.ambient, setup_.far_field);
   look();
   force_ = {
@@ -129,7 +131,8 @@ void SphSolver::substep(double dt, const tree::Phase& phase) {
   filter_edges(cloud_, stencils_, slopes_, setup_.operators, edge_filter);
   shift_and_move(cloud_, stencils_, slopes_, step, setup_.shift);
   phase("adapt");
-  far_field_.carry_out(cloud_, slopes_, setup_.ambient.stream(time_ + dt / 2), dt);
+  const Ambient& ambient = setup_.ambient;
+  far_field_.carry_out(cloud_, slopes_, ambient.steady, dt * ambient.stream(time_ + dt / 2), dt);
   renew_particles();
   if (substeps_ % sort_every == 0) sort(cloud_);
   phase("neighbors");
@@ -290,7 +293,7 @@ void SphSolver::save(flow::State& state) const {
   state["left_y"] = far_field_.left_y;
   state["left_gamma"] = far_field_.left_gamma;
   state["leaving"] = far_field_.leaving;
-  state["travelled"] = {far_field_.travelled};
+  state["travelled"] = {far_field_.travelled.x, far_field_.travelled.y};
   state["along_outlet"] = momentum_.along_outlet;
   state["last_dt"] = {last_dt_};
   state["substeps"] = {static_cast<double>(substeps_)};
@@ -317,21 +320,21 @@ void SphSolver::restore(long steps, const flow::Columns& columns, const flow::St
   far_field_.left_gamma = flow::saved(state, "left_gamma");
   momentum_.along_outlet = flow::saved(state, "along_outlet");
   far_field_.leaving = flow::saved(state, "leaving");
-  far_field_.travelled = flow::saved_number(state, "travelled");
+  const auto saved_pair = [&](const char* name) {
+    const std::vector<double>& of = flow::saved(state, name);
+    return Vec2{of.at(0), of.at(1)};
+  };
+  far_field_.travelled = saved_pair("travelled");
   last_dt_ = flow::saved_number(state, "last_dt");
   substeps_ = static_cast<long>(flow::saved_number(state, "substeps"));
   drift_ = flow::saved_number(state, "largest_drift");
   iterations_.pressure = static_cast<int>(flow::saved_number(state, "pressure_iterations"));
   stencils_.renew(cloud_, setup_.operators);
   look();
-  const auto saved_force = [&](const char* name) {
-    const std::vector<double>& of = flow::saved(state, name);
-    return Vec2{of.at(0), of.at(1)};
-  };
   force_ = {.t = time(),
             .impulse = impulse(),
-            .pressure = saved_force("mean_pressure_force"),
-            .friction = saved_force("friction"),
+            .pressure = saved_pair("mean_pressure_force"),
+            .friction = saved_pair("friction"),
             .frame = setup_.area * setup_.ambient.plunge.acceleration(time())};
   measure();
 }

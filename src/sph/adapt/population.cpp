@@ -17,6 +17,23 @@ std::size_t Population::add(std::size_t parent, Vec2 by, double spacing) {
   return put(cloud_.at(parent) + by, spacing, carried_at(cloud_, parent, slopes_[parent], by));
 }
 
+std::size_t Population::add_among(std::size_t node, Vec2 by, double spacing) {
+  std::array<double, carried_count> sum{};
+  double weights = 0;
+  const auto count = [&](std::size_t j, Vec2 apart) {
+    const Vec2 d = by - apart;
+    const double t = 1 - dot(d, d) / (2.25 * cloud_.volume(j)), w = t > 0 ? t * t * t : 0;
+    if (w == 0) return;
+    const auto values = carried_at(cloud_, j, slopes_[j], d);
+    for (std::size_t field = 0; field < carried_count; ++field) sum[field] += w * values[field];
+    weights += w;
+  };
+  count(node, {});
+  for_each_neighbor(node, count);
+  for (double& value : sum) value /= weights;
+  return put(cloud_.at(node) + by, spacing, sum);
+}
+
 std::size_t Population::merge(std::size_t i, std::size_t j) {
   const double a = cloud_.volume(i), b = cloud_.volume(j), share = a / (a + b);
   const Vec2 apart = cloud_.at(j) - cloud_.at(i);

@@ -46,6 +46,9 @@ void BiotSavart::renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Ve
   inner_ = x_.size();
   for (const std::size_t i : outer) add(cloud.at(i), strength(i));
   for (std::size_t k = 0; k < left_x.size(); ++k) add({left_x[k], left_y[k]}, left_gamma[k]);
+  const std::vector<std::uint32_t> outlet = in_order(cloud, ParticleKind::outlet);
+  for (std::size_t k = 0; k < leaving.size(); ++k)
+    add(cloud.at(outlet[k]) + 0.5 * travelled, leaving[k]);
 }
 
 void BiotSavart::add_sheet(const Cloud& cloud, double rate) {
@@ -62,9 +65,9 @@ void BiotSavart::add_sheet(const Cloud& cloud, double rate) {
 }
 
 void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream,
-                           double dt) {
-  for (double& x : left_x) x += dt * stream.x;
-  for (double& y : left_y) y += dt * stream.y;
+                           Vec2 drift, double dt) {
+  for (double& x : left_x) x += drift.x;
+  for (double& y : left_y) y += drift.y;
   const std::vector<std::uint32_t> outlet = in_order(cloud, ParticleKind::outlet);
   if (outlet.empty()) return;
   leaving.resize(outlet.size());
@@ -74,21 +77,20 @@ void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes
     if (!beside_box(box_, cloud.at(i), margin_, stream))
       leaving[k] += dt * out * cloud.spacing[i] * vorticity(slopes[i]);
   }
-  travelled += dt * std::sqrt(dot(stream, stream));
-  if (travelled > 0.5 * cloud.spacing[outlet.front()]) release(cloud, outlet, stream);
+  travelled += drift;
+  const std::size_t first = outlet.front();
+  if (-dot(travelled, cloud.normal(first)) > 0.5 * cloud.spacing[first]) release(cloud, outlet);
 }
 
 /// What has flowed out meanwhile stands in the middle of its way.
-void BiotSavart::release(const Cloud& cloud, const std::vector<std::uint32_t>& outlet,
-                         Vec2 stream) {
-  const Vec2 by = travelled / (2 * std::sqrt(dot(stream, stream))) * stream;
+void BiotSavart::release(const Cloud& cloud, const std::vector<std::uint32_t>& outlet) {
   for (std::size_t k = 0; k < outlet.size(); ++k) {
     if (std::abs(leaving[k]) <= faintest_) continue;
-    const Vec2 at = cloud.at(outlet[k]) + by;
+    const Vec2 at = cloud.at(outlet[k]) + 0.5 * travelled;
     left_x.push_back(at.x), left_y.push_back(at.y), left_gamma.push_back(leaving[k]);
     leaving[k] = 0;
   }
-  travelled = 0;
+  travelled = {};
 }
 
 void BiotSavart::sum(std::size_t sources, const std::vector<double>& x,

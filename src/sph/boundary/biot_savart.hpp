@@ -33,7 +33,7 @@ class BiotSavart {
   BiotSavart(const OuterBox& box, double margin, double spin, double faintest)
       : box_(box), margin_(margin), spin_(spin), faintest_(faintest) {}
 
-  /// Takes up the vorticity of a cloud.
+  /// Takes up the vorticity of a cloud. The stream tells the side by which it leaves.
   void renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream);
 
   /// And the sheet of a wall that slips: (u - u_wall).t ds at each node.
@@ -41,12 +41,15 @@ class BiotSavart {
   /// rate    at which the body turns about the origin, anticlockwise [1/T]
   void add_sheet(const Cloud& cloud, double rate);
 
-  /// What has left drifts on with the stream, and what flows out of the outlet in a step follows,
+  /// What has left drifts on, and what flows out of the outlet in a step follows,
   ///
   ///   d gamma = u.n omega ds dt   at each of its nodes,
   ///
-  /// as a vortex for each node and half a spacing of way.
-  void carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream, double dt);
+  /// as a vortex for each node and half a spacing of way, in the middle of what has left so far.
+  ///
+  /// drift   how far the fluid outside moves meanwhile, as seen from the box [L]
+  void carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream, Vec2 drift,
+                 double dt);
 
   /// At nodes outside of the vorticity, with the stream.
   void velocity(const std::vector<double>& x, const std::vector<double>& y, Vec2 stream,
@@ -62,13 +65,13 @@ class BiotSavart {
   [[nodiscard]] double second_moment() const;  ///< sum gamma |x|^2 of all [L^4/T]
 
   // To be saved: what has left; what is about to, of each node of the outlet in the order of their
-  // places, and the way that the stream has gone meanwhile.
+  // places, and the way that fluid has drifted meanwhile.
   std::vector<double> left_x, left_y, left_gamma, leaving;
-  double travelled = 0;
+  Vec2 travelled{};
 
  private:
   void add(Vec2 at, double gamma);
-  void release(const Cloud& cloud, const std::vector<std::uint32_t>& outlet, Vec2 stream);
+  void release(const Cloud& cloud, const std::vector<std::uint32_t>& outlet);
   void sum(std::size_t sources, const std::vector<double>& x, const std::vector<double>& y,
            std::span<double> u, std::span<double> v) const;
 

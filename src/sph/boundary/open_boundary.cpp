@@ -77,7 +77,7 @@ void fill_gaps(Population& population, const Confines& confines) {
     const Vec2 at = cloud.at(node) + by;
     for (const Vec2 other : born) nearest = std::min(nearest, magnitude(other - at));
     if (nearest <= gap * s) continue;
-    population.add(node, by, s);
+    population.add_among(node, by, s);
     born.push_back(at);
   }
 }

@@ -24,7 +24,7 @@ void take_away(Population& population, const Confines& confines);
 
 /// Puts particles into what gaps there are beside the outer boundary, 0.75 s inside of it, and
 /// beside the outermost ring, a spacing away: wherever none is nearer than 0.8 s. What they carry
-/// is that of the node, by Taylor's series.
+/// is the mean of all series around.
 void fill_gaps(Population& population, const Confines& confines);
 
 }  // namespace vortree::sph

@@ -14,15 +14,23 @@ namespace vortree::sph {
 
 namespace {
 
+/// Fast enough to turn the stream that it meets.
+bool plunges_upstream(const SphCase& scene) {
+  const auto [u, v] = scene.flow.stream;
+  if (!scene.plunge || (u == 0 && v == 0)) return false;
+  const body::Plunge plunge = body::motion_of(scene.plunge, {}).plunge;
+  const Vec2 fastest = plunge.omega() * plunge.amplitude;
+  return std::abs(u * fastest.x + v * fastest.y) >= u * u + v * v;
+}
+
 void refuse_flow(const SphCase& scene) {
   if (!scene.body) throw Refused("method", "method is \"sph\", which needs a [body]");
-  if (scene.initial)
-    throw Refused("initial", "[initial] vorticity is known to vortices only; method is \"sph\"");
   if (!(scene.flow.nu > 0)) throw Refused("flow.nu", "flow.nu is 0; SPH needs a viscosity > 0");
-  if (scene.plunge && flow::speed_of_stream(scene) > 0)
-    throw Refused("plunge",
-                  "[plunge] in a flow.stream is known to vortices only; method is \"sph\", and its "
-                  "box has no way out for such a wake");
+  if (plunges_upstream(scene))
+    throw Refused(
+        "plunge",
+        "[plunge] is as fast along flow.stream as that: fluid would come in by the side of "
+        "sph.box through which it leaves; slower was expected");
 }
 
 /// Fits need neighbors enough to tell their terms apart, and no more than are near.

@@ -5,7 +5,8 @@
 namespace vortree::sph {
 
 /// throws  Refused for what SPH cannot compute, or nobody can mean: no body, vorticity to begin
-///         with, fluid without viscosity, a body that plunges in a stream; a reach that does not go
+///         with, fluid without viscosity, a body that plunges upstream as fast as
+///         that; a reach that does not go
 ///         with the degree; spacings wider than a fifth of the body or half its thickness; a zone
 ///         narrower than the rings; a box that does not hold the body, its rings and two of the
 ///         widest spacings, or in which those are not reached

@@ -12,14 +12,23 @@ namespace vortree::sph {
 namespace {
 
 /// u.grad u at a particle.
-Vec2 convection(const Cloud& cloud, const Stencils& stencils, std::size_t i) {
+Vec2 convection(const Velocities& of, const Stencils& stencils, std::size_t i) {
   Vec2 sum{};
-  const Vec2 u = cloud.velocity(i);
+  const Vec2 u = of.at(i);
   stencils.for_each(i, [&](std::size_t j, std::size_t slot) {
     const double along = u.x * stencils.weight(0, slot) + u.y * stencils.weight(1, slot);
-    sum += along * (cloud.velocity(j) - u);
+    sum += along * (of.at(j) - u);
   });
   return sum;
+}
+
+/// Of the stream that a body meets which plunges: differences as those of the fluid.
+Vec2 rate_of_stream(const MomentumInput& input) {
+  const auto& [step, later, ambient, far_field, omega, spacing, tolerance] = input;
+  const Vec2 now = ambient.stream(later - step.dt), then = ambient.stream(later);
+  if (step.ratio == 0) return 1 / step.dt * (then - now);
+  const Vec2 before = ambient.stream(later - step.dt - step.dt / step.ratio);
+  return 1 / step.dt * (step.b0() * then - step.b1() * now + step.b2() * before);
 }
 
 }  // namespace
@@ -44,11 +53,11 @@ Iterations Momentum::solve(Cloud& cloud, const Stencils& stencils, const Operato
     hu_[i] = wall ? at_wall.x : step.b1() * cloud.u[i] - step.b2() * cloud.u_before[i];
     hv_[i] = wall ? at_wall.y : step.b1() * cloud.v[i] - step.b2() * cloud.v_before[i];
   }
-  const std::vector<double> u = cloud.u, v = cloud.v;
+  const Velocities now{cloud.u, cloud.v};
   set_boundary(cloud, input);
   fits_.renew(cloud, stencils, options);
-  set_slopes(cloud, stencils, input);
-  set_outlet(cloud, stencils, input);
+  set_slopes(cloud, now, stencils, input);
+  set_outlet(cloud, now, stencils, input);
   phase("pressure");
   find_divergence(hu_, hv_, stencils, source_);
   for (double& value : source_) value /= step.dt;
@@ -60,11 +69,11 @@ Iterations Momentum::solve(Cloud& cloud, const Stencils& stencils, const Operato
   for (std::size_t i = 0; i < n; ++i) {
     if (!cloud.free(i) && !cloud.passed(i)) continue;
     hu_[i] -= step.dt * px_[i], hv_[i] -= step.dt * py_[i];
-    cloud.u[i] += step.ratio * (u[i] - cloud.u_before[i]);
-    cloud.v[i] += step.ratio * (v[i] - cloud.v_before[i]);
+    cloud.u[i] += step.ratio * (now.u[i] - cloud.u_before[i]);
+    cloud.v[i] += step.ratio * (now.v[i] - cloud.v_before[i]);
   }
   iterations.viscosity = diffuse(cloud, stencils, input);
-  cloud.u_before = u, cloud.v_before = v;
+  cloud.u_before = now.u, cloud.v_before = now.v;
   return iterations;
 }
 
@@ -95,17 +104,18 @@ void Momentum::set_boundary(Cloud& cloud, const MomentumInput& input) {
   for (std::size_t k = 0; k < outer.size(); ++k) cloud.u[outer[k]] = u[k], cloud.v[outer[k]] = v[k];
 }
 
-void Momentum::set_outlet(const Cloud& cloud, const Stencils& stencils,
+void Momentum::set_outlet(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
                           const MomentumInput& input) {
   std::vector<double> now(outlet_.size());
   double sum = 0, rate_before = 0;
+  const Vec2 streaming = rate_of_stream(input);
   for (std::size_t k = 0; k < outlet_.size(); ++k) {
     const std::uint32_t i = outlet_[k];
     const Vec2 out = -1 * cloud.normal(i), tau{-out.y, out.x};
     now[k] = dot({outlet_u_[k], outlet_v_[k]}, tau);
     const bool known = along_outlet.size() == outlet_.size();
     const double speeding = known ? (now[k] - along_outlet[k]) / input.step.dt : 0;
-    const double rate = speeding + dot(convection(cloud, stencils, i), tau);
+    const double rate = speeding + dot(streaming + convection(before, stencils, i), tau);
     if (k > 0) {
       const Vec2 step = cloud.at(i) - cloud.at(outlet_[k - 1]);
       sum += 0.5 * (rate + rate_before) * dot(step, tau);
@@ -116,7 +126,7 @@ void Momentum::set_outlet(const Cloud& cloud, const Stencils& stencils,
   along_outlet = now;
 }
 
-void Momentum::set_slopes(const Cloud& cloud, const Stencils& stencils,
+void Momentum::set_slopes(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
                           const MomentumInput& input) {
   const TimeStep& step = input.step;
   for (const BoundaryFits::Node& node : fits_.nodes()) {
@@ -129,7 +139,7 @@ void Momentum::set_slopes(const Cloud& cloud, const Stencils& stencils,
           -input.ambient.nu * along - dot(normal, input.ambient.wall_acceleration(cloud.at(i)));
     } else if (cloud.kind[i] == ParticleKind::outer) {
       const Vec2 rate = 1 / step.dt * (step.b0() * u - Vec2{hu_[i], hv_[i]});
-      given_[i] = -dot(normal, rate + convection(cloud, stencils, i));
+      given_[i] = -dot(normal, rate + convection(before, stencils, i));
     }
   }
 }

@@ -31,6 +31,14 @@ struct MomentumInput {
   double tolerance = 1e-5;
 };
 
+/// Of all particles at one time. What a node at the edge has at the end of a step must not meet
+/// what fluid beside it has at its beginning: their difference over a spacing would be as large as
+/// the change in time.
+struct Velocities {
+  std::vector<double> u, v;
+  [[nodiscard]] Vec2 at(std::size_t i) const { return {u[i], v[i]}; }
+};
+
 /// How the two systems were solved.
 struct Iterations {
   int pressure = 0, viscosity = 0;
@@ -41,11 +49,11 @@ struct Iterations {
 ///
 ///   lap p = div h/dt,             wall    dp/dn = -nu d(omega)/ds - n.a_wall
 ///                                 outer   dp/dn = -n.(du/dt + u.grad u)
-///                                 outlet  dp/d tau = -dv_b/dt - tau.(u.grad u)
+///                                 outlet  dp/d tau = -tau.(du_b/dt + u.grad u)
 ///   (b0 - nu dt lap) u = h - dt grad p,   wall u = u_wall, outer by far field, outlet nu = 0
 ///
-/// In h the wall carries b0 u_wall. The outlet's pressure balances the momentum along it, tau; v_b
-/// is the far field's velocity that way. Bernoulli's law instead lets a wake's own velocity feed
+/// In h the wall carries b0 u_wall. The outlet's pressure balances the momentum along it, tau; u_b
+/// is the velocity of the far field and the stream. Convection at the box is that of t. Bernoulli's law instead lets a wake's own velocity feed
 /// the pressure that drives it.
 ///
 /// error    second order in dt and, with degree 2, in s
@@ -61,8 +69,10 @@ class Momentum {
 
  private:
   void set_boundary(Cloud& cloud, const MomentumInput& input);
-  void set_outlet(const Cloud& cloud, const Stencils& stencils, const MomentumInput& input);
-  void set_slopes(const Cloud& cloud, const Stencils& stencils, const MomentumInput& input);
+  void set_outlet(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
+                  const MomentumInput& input);
+  void set_slopes(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
+                  const MomentumInput& input);
   int diffuse(Cloud& cloud, const Stencils& stencils, const MomentumInput& input);
 
   BoundaryFits fits_;

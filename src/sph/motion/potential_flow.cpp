@@ -33,18 +33,24 @@ void start_potential_flow(Cloud& cloud, const Stencils& stencils, const Operator
   fits.renew(cloud, stencils, options);
   PressureSystem system;
   system.renew(cloud, stencils, fits, false);
+  const std::vector<double> u = cloud.u, v = cloud.v;
   std::vector<double> none(n, 0), slope(n, 0), phi(n, 0), x(n), y(n);
   for (int turn = 0; turn < (unbounded ? 4 : 1); ++turn) {
     for (const BoundaryFits::Node& node : fits.nodes()) {
       const auto i = static_cast<std::size_t>(node.particle);
+      const Vec2 at = cloud.at(i), carried{u[i], v[i]};
       const bool wall = cloud.kind[i] == ParticleKind::wall;
-      const Vec2 added =
-          wall ? ambient.wall_velocity(cloud.at(i)) - stream : by_sheet(cloud, cloud.at(i));
+      const Vec2 added = wall        ? ambient.wall_velocity(at) - stream - carried
+                         : unbounded ? by_sheet(cloud, at)
+                                     : -1 * carried;
       slope[i] = dot(cloud.normal(i), added);
     }
     system.solve(none, slope, phi, start_tolerance);
     find_gradient(phi, stencils, x, y);
-    for (std::size_t i = 0; i < n; ++i) cloud.u[i] = stream.x + x[i], cloud.v[i] = stream.y + y[i];
+    for (std::size_t i = 0; i < n; ++i) {
+      cloud.u[i] = u[i] + stream.x + x[i];
+      cloud.v[i] = v[i] + stream.y + y[i];
+    }
   }
   cloud.u_before = cloud.u, cloud.v_before = cloud.v;
 }

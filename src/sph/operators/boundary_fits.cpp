@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "sph/operators/tuning.hpp"
 #include "sph/pairs/kernel_shapes.hpp"
@@ -17,6 +18,7 @@ struct Seen {
   std::int32_t index;
   double along, weight;
   Terms terms;
+  double of_value = 0;  // its share of the node's value
 };
 
 std::vector<Seen> neighbors_inside(const Cloud& cloud, const Stencils& stencils, std::size_t i,
@@ -33,7 +35,7 @@ std::vector<Seen> neighbors_inside(const Cloud& cloud, const Stencils& stencils,
     if (!(w > 1e-6)) return;
     const double n = dot(d, normal), t = normal.x * d.y - normal.y * d.x;
     const double N = n / (reach * s), T = t / (reach * s);
-    seen.push_back({static_cast<std::int32_t>(j), n, w, {1, T, N * N, N * T, T * T}});
+    seen.push_back({static_cast<std::int32_t>(j), n, w, {1, T, N * N, N * T, T * T}, 0});
   });
   return seen;
 }
@@ -65,17 +67,29 @@ bool first_row(const std::vector<Seen>& seen, int terms, Terms& row) {
   return true;
 }
 
-BoundaryFits::Node node(const Cloud& cloud, const Stencils& stencils, std::size_t i, double reach) {
-  BoundaryFits::Node made{static_cast<std::int32_t>(i), {}, 0};
-  const std::vector<Seen> seen = neighbors_inside(cloud, stencils, i, reach);
-  int terms = seen.size() >= 8 ? 5 : seen.size() >= 4 ? 2 : 1;
+/// The weights of so many terms and their sum with signs left out, or nothing.
+std::optional<double> find_weights(std::vector<Seen>& seen, int terms) {
   Terms row{};
-  while (terms > 0 && !first_row(seen, terms, row)) terms = terms == 5 ? 2 : terms - 1;
-  for (const Seen& one : seen) {
+  if (!first_row(seen, terms, row)) return {};
+  double sizes = 0;
+  for (Seen& one : seen) {
     double a = 0;
     for (int k = 0; k < terms; ++k) a += row[k] * one.terms[k];
-    made.neighbors.push_back({one.index, a * one.weight});
-    made.lever += a * one.weight * one.along;
+    one.of_value = a * one.weight;
+    sizes += std::abs(one.of_value);
+  }
+  return sizes;
+}
+
+BoundaryFits::Node node(const Cloud& cloud, const Stencils& stencils, std::size_t i, double reach) {
+  BoundaryFits::Node made{static_cast<std::int32_t>(i), {}, 0};
+  std::vector<Seen> seen = neighbors_inside(cloud, stencils, i, reach);
+  int terms = seen.size() >= 8 ? 5 : seen.size() >= 4 ? 2 : 1;
+  const auto poor = [](std::optional<double> sizes) { return !sizes || *sizes > most_amplified; };
+  while (terms > 0 && poor(find_weights(seen, terms))) terms = terms == 5 ? 2 : terms - 1;
+  for (const Seen& one : seen) {
+    made.neighbors.push_back({one.index, one.of_value});
+    made.lever += one.of_value * one.along;
   }
   return made;
 }

@@ -7,6 +7,7 @@
 
 #include "sph/operators/fit_kernel.hpp"
 #include "sph/operators/gather_kernel.hpp"
+#include "sph/operators/sight.hpp"
 #include "sph/operators/tuning.hpp"
 
 namespace vortree::sph {
@@ -100,6 +101,7 @@ void Stencils::renew(const Cloud& cloud, const OperatorOptions& options) {
     list_periodic(cloud, options);
   else
     list(cloud, options);
+  if (options.body) keep_in_sight(rows_, cloud, *options.body);
   arrange(cloud);
   filling_.resize(cloud.size()), nearest_.resize(cloud.size());
   degraded_in_.assign(groups(), 0);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "body/shape.hpp"
 #include "sph/cloud/cloud.hpp"
 #include "tree/base/buffer.hpp"
 #include "tree/base/simd.hpp"
@@ -17,10 +18,12 @@ namespace vortree::sph {
 /// degree   of the polynomials that they are exact on, 2 or 4
 /// reach    radius of a particle's support, in its spacings
 /// period   sides of a periodic domain with a corner at the origin [L]; 0: not periodic
+/// body     through which particles do not see each other; null without one
 struct OperatorOptions {
   int degree = 2;
   double reach = 2.8;
   double period = 0;
+  const body::Shape* body = nullptr;
 };
 
 /// Neighbors of all particles, and the weights by which derivatives follow from them:

@@ -136,7 +136,8 @@ TEST_CASE("what flows out of the outlet becomes vortices of the same circulation
   const Outlet outlet;
   const Vec2 stream{1, 0};
   BiotSavart far(wide, 0.5, 0, 1e-7);
-  for (int step = 0; step < 100; ++step) far.carry_out(outlet.cloud, outlet.slopes, stream, 0.01);
+  for (int step = 0; step < 100; ++step)
+    far.carry_out(outlet.cloud, outlet.slopes, stream, 0.01 * stream, 0.01);
   // In each release of a way of 0.06, but for what still waits.
   const double waits = std::ranges::max(far.leaving, {}, [](double g) { return std::abs(g); });
   CHECK(waits <= 0.8 * 0.1 * 0.06);
@@ -155,12 +156,34 @@ TEST_CASE("what flows out of the outlet becomes vortices of the same circulation
   CHECK(std::ranges::min(far.left_x) > 6);
 }
 
+TEST_CASE("what leaves a box that moves across the stream stands where its way has led it") {
+  const Outlet outlet;
+  const double dt = 1.0 / 128;
+  BiotSavart far(wide, 0.5, 0, 1e-7);
+  // 0.1 a node apart: a way of 0.05 along the stream is behind after 7 steps, the last of each
+  // release; across it, the box moves by more.
+  for (int step = 0; step < 7; ++step)
+    far.carry_out(outlet.cloud, outlet.slopes, {1, 0}, {dt, 2 * dt}, dt);
+  REQUIRE(!far.left_x.empty());
+  CHECK(far.travelled.x == 0);
+  CHECK(far.travelled.y == 0);
+  for (const double x : far.left_x) CHECK(x == Approx(6 + 3.5 * dt).epsilon(1e-12));
+  // Without the two nodes on the margin, all but the middle one, whose vorticity is 0.
+  std::vector<double> expected;
+  for (const BoundaryNode& node : box_nodes(wide, 0.1))
+    if (node.normal.x < -0.5 && std::abs(node.at.y) < 3.45 && std::abs(node.at.y) > 1e-9)
+      expected.push_back(node.at.y + 7 * dt);
+  REQUIRE(far.left_y.size() >= expected.size());
+  for (const double y : expected)
+    CHECK(std::ranges::any_of(far.left_y, [&](double left) { return std::abs(left - y) < 1e-12; }));
+}
+
 TEST_CASE("what has left drifts on and counts, whatever the particles are") {
   const Whirls whirls(50);
   const Vec2 stream{2, 0.5};
   BiotSavart far(wide, 0.5, 0, 1e-7);
   far.left_x = {5.9, 5.8}, far.left_y = {0.3, -0.2}, far.left_gamma = {0.7, -0.4};
-  far.carry_out({}, {}, stream, 1);
+  far.carry_out({}, {}, stream, stream, 1);
   far.renew(whirls.cloud, whirls.slopes, stream);
   std::vector<Vortex> all = whirls.vortices;
   all.push_back({{7.9, 0.8}, 0.7}), all.push_back({{7.8, 0.3}, -0.4});

@@ -165,3 +165,13 @@ TEST_CASE("particles in a line above a node are told apart by no slope along the
   for (const auto& [j, weight] : fits.of(0).neighbors) sum += weight;
   CHECK(sum == Approx(1).epsilon(1e-14));
 }
+
+TEST_CASE("a node in a corner that lacks particles does not go by differences of neighbors") {
+  // All on one side, two of them near: a slope along the wall would hang on these two.
+  const Cloud cloud = few({{1, 0.75}, {1.19, 1.52}, {0.74, 2.3}, {1.82, 2.08}, {2.24, 1.34}});
+  const BoundaryFits fits = fits_of(cloud);
+  double sum = 0, sizes = 0;
+  for (const auto& [j, weight] : fits.of(0).neighbors) sum += weight, sizes += std::abs(weight);
+  CHECK(sum == Approx(1).epsilon(1e-13));
+  CHECK(sizes < 4);
+}

@@ -53,6 +53,18 @@ TEST_CASE("flows with degree 4, in a box, with a body that plunges or turns are 
     scene.of.plunge = body::PlungeSettings{0.1, 0.5, {0, 1}};
     scene.of.flow.stream = {0, 0};
   }
+  SECTION("plunges across a stream") {
+    scene.of.plunge = body::PlungeSettings{0.1, 0.5, {0, 1}};
+  }
+  SECTION("begins with a vortex") {
+    scene.of.initial.emplace();
+    scene.of.initial->circulation = 0.5, scene.of.initial->core = 0.3;
+    scene.of.initial->centre = {1, 0.7};
+  }
+  SECTION("past a thin body") {
+    scene.of.body = vortree::test::foil(1, 5);
+    scene.set("spacing", 0.025).set("zone", 0.1);
+  }
   SECTION("along y") {
     scene.of.flow.stream = {0, -1};
   }
