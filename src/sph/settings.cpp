@@ -16,6 +16,8 @@ std::vector<Key> keys(SphSettings& sph) {
           "[x0, y0, x1, y1], what is computed; particles leave and enter through its sides"),
       key("outside", sph.outside,
           "what is beyond the box: unbounded fluid, or the stream as it is along its sides"),
+      key("operators", sph.operators,
+          "how derivatives are found: by fits that converge, or by the sums that SPH is known for"),
       key("degree", sph.degree, {.low = 2, .high = 4, .words = "2 or 4 was expected"}, "",
           "of the polynomials on which derivatives are exact, away from boundaries"),
       key("reach", sph.reach, chosen({.low = 2, .high = 8, .words = "it must lie in 2 .. 8"}),

@@ -7,6 +7,7 @@
 
 #include "base/keys.hpp"
 #include "flow/case.hpp"
+#include "sph/operators/stencils.hpp"
 
 // The table of a scene that belongs to SPH.
 
@@ -37,6 +38,7 @@ struct SphSettings {
   double growth = 2;
   std::optional<std::array<double, 4>> box{};
   Outside outside = Outside::free;
+  OperatorKind operators = OperatorKind::least_squares;
   int degree = 2;
   double reach = 0;
   int rings = 4;

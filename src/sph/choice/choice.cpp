@@ -36,6 +36,11 @@ double fitting_spacing(const flow::Case& of, double accuracy) {
   return std::min(5 * accuracy * std::min(1.0, std::sqrt(20 / reynolds)), 0.1);
 }
 
+/// Fits of degree 4 and sums want more neighbors.
+bool wide(const SphSettings& own) {
+  return own.degree > 2 || own.operators == OperatorKind::pair_sums;
+}
+
 /// The widest spacing is wanted farther off than the box reaches.
 bool beyond_box(const SphCase& scene) {
   return spacing_at_box(scene) < 0.6 * scene.sph.spacing * std::exp2(scene.sph.levels - 1);
@@ -52,10 +57,10 @@ void choose_missing(flow::Case& of, SphSettings& own, const flow::Written& writt
     throw Refused("sph.spacing",
                   "sph.spacing is neither written nor chosen; write it, or accuracy, as 0.01");
   if (open("levels")) own.levels = usual_levels(own.spacing, length);
-  if (open("zone")) own.zone = length / 2;
+  if (open("zone")) own.zone = std::max(length / 2, own.rings * own.spacing);
   if (open("box")) own.box = usual_box(of);
   while (open("levels") && own.levels > 1 && beyond_box({of, own})) --own.levels;
-  if (open("reach")) own.reach = own.degree > 2 ? 3.9 : 2.8;
+  if (open("reach")) own.reach = wide(own) ? 3.9 : 2.8;
   const double speed = flow::fastest_of(of);
   if (!written("time", "dt") && speed > 0)
     of.time.dt = flow::fitted_step(of, own.courant * own.spacing / speed);

@@ -36,6 +36,11 @@ void refuse_flow(const SphCase& scene) {
 /// Fits need neighbors enough to tell their terms apart, and no more than are near.
 void refuse_operators(const SphSettings& own) {
   if (own.degree == 3) throw Refused("sph.degree", "sph.degree is 3; 2 or 4 was expected");
+  const bool sums = own.operators == OperatorKind::pair_sums;
+  if (sums && own.degree != 2)
+    throw Refused("sph.degree", fmt::format("sph.degree is {}; sph.operators = \"pair_sums\" have "
+                                            "none",
+                                            own.degree));
   const auto [least, most] = own.degree > 2 ? std::pair{3.2, 5.0} : std::pair{2.4, 4.0};
   if (own.reach < least || own.reach > most)
     throw Refused("sph.reach", fmt::format("sph.reach is {}; with sph.degree = {}, {} .. {} was "

@@ -92,6 +92,34 @@ void fit_poorly(const FitGroup& group, LaneSet lanes) {
   }
 }
 
+/// F of the kernel: -W'(r)/r.
+Lanes kernel_slope(const FitGroup& group, std::size_t k) {
+  const Lanes reach = group.half_reach[k], q = group.distance(k) / reach;
+  const Lanes t = larger(1.0 - q, Lanes{}), t2 = t * t, r2 = reach * reach;
+  return wendland_norm * 56 / 3 / (r2 * r2) * t2 * t2 * t * (1.0 + 5.0 * q);
+}
+
+/// The weights of pair sums. Where the correction of the gradient cannot be had, it is left out.
+void sum_pairs(const FitGroup& group, Lanes spacing, LaneSet lanes) {
+  const Bits chosen = bits(lanes);
+  Lanes xx{}, xy{}, yy{};
+  const Lanes own = spacing * spacing;
+  for (std::size_t k = 0; k < group.slots; ++k) {
+    const Lanes w = own * group.volume[k] * kernel_slope(group, k), x = group.x(k), y = group.y(k);
+    xx += w * x * x, xy += w * x * y, yy += w * y * y;
+  }
+  const Lanes determinant = xx * yy - xy * xy, trace = xx + yy;
+  const Bits sound = determinant > least_pivot * trace * trace;
+  const Lanes one = fill(1.0), zero{}, inverse = one / (sound ? determinant : one);
+  const Lanes a = sound ? inverse * yy : one, b = sound ? inverse * xy : zero,
+              c = sound ? inverse * xx : one;
+  for (std::size_t k = 0; k < group.slots; ++k) {
+    const Lanes w = own * group.volume[k] * kernel_slope(group, k), x = group.x(k), y = group.y(k);
+    const std::array<Lanes, 5> of{w * (a * x - b * y), w * (c * y - b * x), w, zero, w};
+    for (int e = 0; e < 5; ++e) store_some(group.weight[e] + k * lane_count, of[e], chosen);
+  }
+}
+
 }  // namespace
 
 void Stencils::renew(const Cloud& cloud, const OperatorOptions& options) {
@@ -190,10 +218,11 @@ void Stencils::fit_group(const Cloud& cloud, const OperatorOptions& options, std
     nearest = smaller(nearest, distance / (0.5 * (spacing + other)));
   }
   LaneSet high = 0, all = first_lanes(n - from);
+  const bool sums = options.kind == OperatorKind::pair_sums;
   for (int lane = 0; lane < lane_count && from + lane < n; ++lane) {
     const std::size_t i = from + lane;
     filling_[i] = wendland_norm * filling[lane], nearest_[i] = nearest[lane];
-    bool inside = options.degree > 2 && cloud.inside(i);
+    bool inside = options.degree > 2 && cloud.inside(i) && !sums;
     const double near = boundary_reach * cloud.spacing[i];
     if (inside)
       for_each(i, [&](std::size_t j, std::size_t k) {
@@ -202,6 +231,7 @@ void Stencils::fit_group(const Cloud& cloud, const OperatorOptions& options, std
     if (inside) high |= 1u << lane;
   }
   const double cut = options.degree > 2 ? std::min(1.0, boundary_reach / options.reach) : 1.0;
+  if (sums) return sum_pairs(group, spacing, all);
   LaneSet low = all & ~high;
   if (high) low |= fit<4>(group, 1, high);
   if (low) low = fit<2>(group, cut, low);

@@ -3,13 +3,38 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
+#include "base/keys.hpp"
 #include "body/shape.hpp"
 #include "sph/cloud/cloud.hpp"
 #include "tree/base/buffer.hpp"
 #include "tree/base/simd.hpp"
 #include "tree/neighbors/neighbors.hpp"
+
+namespace vortree::sph {
+
+/// least_squares  fits of polynomials: they converge for any arrangement
+/// pair_sums      as SPH has had them: gradients by the kernel's, corrected to be exact on linear
+///                fields, and a Laplacian that is exact only where particles stand evenly,
+///
+///   (grad f)_i = L_i sum_j V_j (f_j - f_i) grad W,    L_i^-1 = sum_j V_j grad W (x_j - x_i)^T
+///   (lap f)_i  = 2 sum_j V_j (f_j - f_i) F,           F = -W'(r)/r,   grad W = F (x_j - x_i)
+///
+///   source  Bonet & Lok 1999; Brookshaw, Proc. Astron. Soc. Aust. 6 (1985), 207; Morris, Fox &
+///           Zhu, J. Comput. Phys. 136 (1997), 214
+enum class OperatorKind { least_squares, pair_sums };
+
+}  // namespace vortree::sph
+
+namespace vortree {
+
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<sph::OperatorKind>{"least_squares",
+                                                                             "pair_sums"};
+
+}  // namespace vortree
 
 namespace vortree::sph {
 
@@ -19,11 +44,13 @@ namespace vortree::sph {
 /// reach    radius of a particle's support, in its spacings
 /// period   sides of a periodic domain with a corner at the origin [L]; 0: not periodic
 /// body     through which particles do not see each other; null without one
+/// kind     what of the weights below is a fit; pair sums have no degree
 struct OperatorOptions {
   int degree = 2;
   double reach = 2.8;
   double period = 0;
   const body::Shape* body = nullptr;
+  OperatorKind kind = OperatorKind::least_squares;
 };
 
 /// Neighbors of all particles, and the weights by which derivatives follow from them:

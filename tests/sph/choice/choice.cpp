@@ -103,7 +103,7 @@ TEST_CASE("SPH refuses what it cannot compute, in words with numbers") {
     CHECK_THROWS_WITH(scene.choose(), Contains("3.2 .. 5"));
   }
   SECTION("rings wider than the finest zone") {
-    scene.set("spacing", 0.05).set("rings", 16);
+    scene.set("spacing", 0.05).set("rings", 16).set("zone", 0.5);
     CHECK_THROWS_WITH(scene.choose(), Contains("sph.zone is 0.5") && Contains("16 rings"));
   }
   SECTION("a box in which the widest spacing is not reached") {
