@@ -42,8 +42,11 @@ void SphSolver::start() {
   cloud_ = starting_cloud(setup_);
   for (const std::uint32_t i : in_order(cloud_, ParticleKind::wall)) wall_.push_back(cloud_.at(i));
   stencils_.renew(cloud_, setup_.operators);
-  if (setup_.initial) add_initial_vortices(cloud_, *setup_.initial, setup_.centre);
-  start_potential_flow(cloud_, stencils_, setup_.operators, setup_.ambient, setup_.far_field);
+  // By Kelvin's theorem: no vorticity comes from nowhere.
+  const double vortices =
+      setup_.initial ? add_initial_vortices(cloud_, *setup_.initial, setup_.centre) : 0;
+  start_potential_flow(cloud_, stencils_, setup_.operators, setup_.ambient, setup_.far_field,
+                       -vortices);
   look();
   force_ = {
       .t = 0, .impulse = impulse(), .frame = setup_.area * setup_.ambient.plunge.acceleration(0)};

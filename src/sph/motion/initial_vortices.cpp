@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "fmm/plan.hpp"
@@ -35,7 +36,7 @@ void cut(Cores& cores, const flow::Patch& patch, Vec2 middle) {
 
 }  // namespace
 
-void add_initial_vortices(Cloud& cloud, const flow::InitialSettings& initial, Vec2 seen_from) {
+double add_initial_vortices(Cloud& cloud, const flow::InitialSettings& initial, Vec2 seen_from) {
   const Vec2 centre = Vec2{initial.centre[0], initial.centre[1]} - seen_from;
   Cores cores;
   for (const flow::Patch& patch : initial.kind->patches(initial))
@@ -44,6 +45,7 @@ void add_initial_vortices(Cloud& cloud, const flow::InitialSettings& initial, Ve
   std::vector<double> u(cloud.size()), v(cloud.size());
   plan.velocity({cloud.x, cloud.y, {}}, u, v);
   for (std::size_t i = 0; i < cloud.size(); ++i) cloud.u[i] += u[i], cloud.v[i] += v[i];
+  return std::accumulate(cores.gamma.begin(), cores.gamma.end(), 0.0);
 }
 
 }  // namespace vortree::sph

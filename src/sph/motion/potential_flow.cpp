@@ -11,14 +11,19 @@
 namespace vortree::sph {
 namespace {
 
-/// What the sheet on the wall makes of the stream at a place, less the stream.
+/// The velocity around a vortex, d away from it.
+Vec2 around(double gamma, Vec2 d) {
+  return gamma / (2 * std::numbers::pi * dot(d, d)) * Vec2{-d.y, d.x};
+}
+
+/// That of the sheet on the wall.
 Vec2 by_sheet(const Cloud& cloud, Vec2 at) {
   Vec2 sum{};
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] != ParticleKind::wall) continue;
-    const Vec2 n = cloud.normal(i), d = at - cloud.at(i);
+    const Vec2 n = cloud.normal(i);
     const double gamma = dot(cloud.velocity(i), {-n.y, n.x}) * cloud.spacing[i];
-    sum += gamma / (2 * std::numbers::pi * dot(d, d)) * Vec2{-d.y, d.x};
+    sum += around(gamma, at - cloud.at(i));
   }
   return sum;
 }
@@ -26,13 +31,17 @@ Vec2 by_sheet(const Cloud& cloud, Vec2 at) {
 }  // namespace
 
 void start_potential_flow(Cloud& cloud, const Stencils& stencils, const OperatorOptions& options,
-                          const Ambient& ambient, bool unbounded) {
+                          const Ambient& ambient, bool unbounded, double circulation) {
   const std::size_t n = cloud.size();
   const Vec2 stream = ambient.stream(0);
   BoundaryFits fits;
   fits.renew(cloud, stencils, options);
   PressureSystem system;
   system.renew(cloud, stencils, fits, false);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 by_body = around(circulation, cloud.at(i));
+    cloud.u[i] += by_body.x, cloud.v[i] += by_body.y;
+  }
   const std::vector<double> u = cloud.u, v = cloud.v;
   std::vector<double> none(n, 0), slope(n, 0), phi(n, 0), x(n), y(n);
   for (int turn = 0; turn < (unbounded ? 4 : 1); ++turn) {
@@ -41,7 +50,7 @@ void start_potential_flow(Cloud& cloud, const Stencils& stencils, const Operator
       const Vec2 at = cloud.at(i), carried{u[i], v[i]};
       const bool wall = cloud.kind[i] == ParticleKind::wall;
       const Vec2 added = wall        ? ambient.wall_velocity(at) - stream - carried
-                         : unbounded ? by_sheet(cloud, at)
+                         : unbounded ? by_sheet(cloud, at) - around(circulation, at)
                                      : -1 * carried;
       slope[i] = dot(cloud.normal(i), added);
     }

@@ -6,14 +6,15 @@
 
 namespace vortree::sph {
 
-/// The flow that an impulsive start makes, u = U + u_0 + grad phi, u_0 what the particles carry:
+/// The flow that an impulsive start makes, u = U + u_0 + grad phi, u_0 what the particles carry and
+/// a vortex at the origin of the circulation that the body is to have:
 ///
 ///   lap phi = 0,   wall   dphi/dn = -n.(U + u_0 - u_wall)
 ///                  outer  dphi/dn = n.(u_b - U - u_0)
 ///
-/// u_b the stream or, of unbounded fluid, what the sheet on the wall makes there of it and of u_0,
-/// u.t ds at each node; found by turns. Nodes of the wall slip.
+/// u_b the stream or, of unbounded fluid, with that what the particles carry and the sheet on the
+/// wall, u.t ds at each node; found by turns. Nodes of the wall slip.
 void start_potential_flow(Cloud& cloud, const Stencils& stencils, const OperatorOptions& options,
-                          const Ambient& ambient, bool unbounded);
+                          const Ambient& ambient, bool unbounded, double circulation = 0);
 
 }  // namespace vortree::sph
