@@ -29,18 +29,14 @@ bool beside_wall(const Cloud& cloud, std::size_t i) {
   return cloud.kind[i] == ParticleKind::ring || cloud.kind[i] == ParticleKind::wall;
 }
 
-/// By the normals of nodes and rings a wall may stand between them.
+/// By their normals a wall may stand between them.
 bool back_to_back(const Cloud& cloud, std::size_t i, std::size_t j) {
   const Vec2 d = cloud.at(j) - cloud.at(i), n = cloud.normal(i), m = cloud.normal(j);
-  const bool i_faces = beside_wall(cloud, i) && dot(d, n) >= 0;
-  const bool j_faces = beside_wall(cloud, j) && dot(d, m) <= 0;
-  const bool both = beside_wall(cloud, i) && beside_wall(cloud, j);
-  return !i_faces && !j_faces && !(both && dot(n, m) >= 0);
+  return dot(d, n) < 0 && dot(d, m) > 0 && dot(n, m) < 0;
 }
 
 bool apart(const Cloud& cloud, const body::Shape& shape, std::size_t i, std::size_t j) {
-  if (!beside_wall(cloud, i) && !beside_wall(cloud, j)) return false;
-  if (!back_to_back(cloud, i, j)) return false;
+  if (!beside_wall(cloud, j) || !back_to_back(cloud, i, j)) return false;
   // The same answer for both.
   return hidden(shape, cloud.at(std::min(i, j)), cloud.at(std::max(i, j)));
 }
@@ -59,16 +55,18 @@ bool hidden(const body::Shape& shape, Vec2 from, Vec2 to) {
 void keep_in_sight(tree::PairList& rows, const Cloud& cloud, const body::Shape& shape) {
   const std::size_t n = rows.size();
   std::vector<std::int64_t> kept(n);
-#pragma omp parallel for schedule(dynamic, 64)
+  std::int64_t all = 0;
+#pragma omp parallel for schedule(dynamic, 64) reduction(+ : all)
   for (std::size_t i = 0; i < n; ++i) {
     std::int32_t* const row = rows.index.data() + rows.start[i];
-    std::int32_t* const end = rows.index.data() + rows.start[i + 1];
-    kept[i] = std::remove_if(row, end,
-                             [&](std::int32_t j) {
-                               return apart(cloud, shape, i, static_cast<std::size_t>(j));
-                             }) -
-              row;
+    std::int32_t* end = rows.index.data() + rows.start[i + 1];
+    if (beside_wall(cloud, i))
+      end = std::remove_if(row, end, [&](std::int32_t j) {
+        return apart(cloud, shape, i, static_cast<std::size_t>(j));
+      });
+    kept[i] = end - row, all += kept[i];
   }
+  if (all == rows.start[n]) return;
   std::int64_t to = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const std::int64_t from = std::exchange(rows.start[i], to);

@@ -16,10 +16,10 @@ namespace vortree::sph {
 ///         (1996), 3, section 7: the visibility criterion
 [[nodiscard]] bool hidden(const body::Shape& shape, Vec2 from, Vec2 to);
 
-/// Takes those pairs out of lists that hold them both ways. Free particles, which the rings keep
-/// away from a thin body, are asked about only with nodes and rings.
+/// Takes those pairs out of lists that hold them both ways. Free particles count as seen: rings
+/// keep them so far away that what is behind a body is out of their reach.
 ///
-/// cost  O(pairs of nodes and rings); what is behind a wall by its normals is looked at
+/// cost  that of hidden() for nodes and rings that are back to back
 void keep_in_sight(tree::PairList& rows, const Cloud& cloud, const body::Shape& shape);
 
 }  // namespace vortree::sph
