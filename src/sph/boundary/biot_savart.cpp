@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fmm/plan.hpp"
 #include "sph/boundary/tuning.hpp"
 
 namespace vortree::sph {
@@ -22,46 +21,35 @@ bool beside_box(const OuterBox& box, Vec2 at, double margin, Vec2 stream) {
 
 }  // namespace
 
-void BiotSavart::add(Vec2 at, double gamma) {
+void BiotSavart::add(Vec2 at, double gamma, double spacing) {
   x_.push_back(at.x), y_.push_back(at.y), gamma_.push_back(gamma);
+  sigma_.push_back(core * spacing);
 }
 
 void BiotSavart::renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream) {
-  x_.clear(), y_.clear(), gamma_.clear();
-  if (spin_ != 0) add({}, spin_);
-  std::vector<std::size_t> outer;
-  const auto strength = [&](std::size_t i) {
-    const double gamma = cloud.volume(i) * vorticity(slopes[i]);
-    return cloud.kind[i] == ParticleKind::wall ? gamma / 2 : gamma;
-  };
+  x_.clear(), y_.clear(), gamma_.clear(), sigma_.clear();
+  if (spin_ != 0) add({}, spin_, 0);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.kind[i] >= ParticleKind::outer || beside_box(box_, cloud.at(i), margin_, stream) ||
-        std::abs(strength(i)) <= faintest_)
+    if (cloud.kind[i] >= ParticleKind::outer || beside_box(box_, cloud.at(i), margin_, stream))
       continue;
-    if (box_.depth(cloud.at(i)) > margin_)
-      add(cloud.at(i), strength(i));
-    else
-      outer.push_back(i);
+    const double gamma = cloud.volume(i) * vorticity(slopes[i]);
+    const double own = cloud.kind[i] == ParticleKind::wall ? gamma / 2 : gamma;
+    if (std::abs(own) > faintest_) add(cloud.at(i), own, cloud.spacing[i]);
   }
-  inner_ = x_.size();
-  for (const std::size_t i : outer) add(cloud.at(i), strength(i));
-  for (std::size_t k = 0; k < left_x.size(); ++k) add({left_x[k], left_y[k]}, left_gamma[k]);
   const std::vector<std::uint32_t> outlet = in_order(cloud, ParticleKind::outlet);
+  const double spacing = outlet.empty() ? 0 : cloud.spacing[outlet.front()];
+  for (std::size_t k = 0; k < left_x.size(); ++k)
+    add({left_x[k], left_y[k]}, left_gamma[k], spacing);
   for (std::size_t k = 0; k < leaving.size(); ++k)
-    add(cloud.at(outlet[k]) + 0.5 * travelled, leaving[k]);
+    add(cloud.at(outlet[k]) + 0.5 * travelled, leaving[k], spacing);
 }
 
 void BiotSavart::add_sheet(const Cloud& cloud, double rate) {
-  const auto before = static_cast<std::ptrdiff_t>(x_.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] != ParticleKind::wall) continue;
     const Vec2 n = cloud.normal(i), slip = cloud.velocity(i) - rate * Vec2{-cloud.y[i], cloud.x[i]};
-    add(cloud.at(i), dot(slip, {-n.y, n.x}) * cloud.spacing[i]);
+    add(cloud.at(i), dot(slip, {-n.y, n.x}) * cloud.spacing[i], cloud.spacing[i]);
   }
-  const std::size_t added = x_.size() - static_cast<std::size_t>(before);
-  for (std::vector<double>* of : {&x_, &y_, &gamma_})
-    std::rotate(of->begin() + static_cast<std::ptrdiff_t>(inner_), of->begin() + before, of->end());
-  inner_ += added;
 }
 
 void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream,
@@ -93,27 +81,26 @@ void BiotSavart::release(const Cloud& cloud, const std::vector<std::uint32_t>& o
   travelled = {};
 }
 
-void BiotSavart::sum(std::size_t sources, const std::vector<double>& x,
-                     const std::vector<double>& y, std::span<double> u, std::span<double> v) const {
-  std::ranges::fill(u, 0.0), std::ranges::fill(v, 0.0);
-  if (sources == 0 || x.empty()) return;
-  const auto first = [&](const std::vector<double>& a) { return std::span(a).first(sources); };
-  const bool few = sources * x.size() < worth_a_tree;
-  const fmm::Plan plan({first(x_), first(y_), first(gamma_), {}},
-                       {.tolerance = far_field_tolerance,
-                        .method = few ? fmm::SumMethod::direct : fmm::SumMethod::fmm});
-  plan.velocity_bare({x, y}, u, v);
-}
-
 void BiotSavart::velocity(const std::vector<double>& x, const std::vector<double>& y, Vec2 stream,
                           std::span<double> u, std::span<double> v) const {
-  sum(x_.size(), x, y, u, v);
+  std::ranges::fill(u, stream.x), std::ranges::fill(v, stream.y);
+  if (x_.empty() || x.empty()) return;
+  plan(x.size(), {}).velocity_bare({x, y}, u, v);
   for (std::size_t k = 0; k < x.size(); ++k) u[k] += stream.x, v[k] += stream.y;
 }
 
-void BiotSavart::velocity_by_inner(const std::vector<double>& x, const std::vector<double>& y,
-                                   std::span<double> u, std::span<double> v) const {
-  sum(inner_, x, y, u, v);
+void BiotSavart::velocity_among(const std::vector<double>& x, const std::vector<double>& y,
+                                std::span<double> u, std::span<double> v) const {
+  std::ranges::fill(u, 0.0), std::ranges::fill(v, 0.0);
+  if (x_.empty() || x.empty()) return;
+  plan(x.size(), sigma_).velocity({x, y, {}}, u, v);
+}
+
+fmm::Plan BiotSavart::plan(std::size_t targets, std::span<const double> cores) const {
+  const bool few = x_.size() * targets < worth_a_tree;
+  return {{x_, y_, gamma_, cores},
+          {.tolerance = far_field_tolerance,
+           .method = few ? fmm::SumMethod::direct : fmm::SumMethod::fmm}};
 }
 
 double BiotSavart::circulation() const {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "fmm/plan.hpp"
 #include "sph/boundary/outer_box.hpp"
 #include "sph/cloud/cloud.hpp"
 #include "sph/operators/derivatives.hpp"
@@ -55,10 +56,10 @@ class BiotSavart {
   void velocity(const std::vector<double>& x, const std::vector<double>& y, Vec2 stream,
                 std::span<double> u, std::span<double> v) const;
 
-  /// By what is farther inside the box than the margin alone, without the stream: what changes in
-  /// time at an outlet, free of what just passes there.
-  void velocity_by_inner(const std::vector<double>& x, const std::vector<double>& y,
-                         std::span<double> u, std::span<double> v) const;
+  /// Amid the vorticity, without the stream: particles have Gaussian cores of 1.5 of their spacings,
+  /// what has left those of the outlet's.
+  void velocity_among(const std::vector<double>& x, const std::vector<double>& y,
+                      std::span<double> u, std::span<double> v) const;
 
   [[nodiscard]] double circulation() const;    ///< of all [L^2/T]
   [[nodiscard]] Vec2 impulse() const;          ///< sum gamma (y, -x) of all [L^3/T]
@@ -70,15 +71,14 @@ class BiotSavart {
   Vec2 travelled{};
 
  private:
-  void add(Vec2 at, double gamma);
+  void add(Vec2 at, double gamma, double spacing);
   void release(const Cloud& cloud, const std::vector<std::uint32_t>& outlet);
-  void sum(std::size_t sources, const std::vector<double>& x, const std::vector<double>& y,
-           std::span<double> u, std::span<double> v) const;
+
+  [[nodiscard]] fmm::Plan plan(std::size_t targets, std::span<const double> cores) const;
 
   OuterBox box_{};
   double margin_ = 0, spin_ = 0, faintest_ = 0;
-  std::vector<double> x_, y_, gamma_;  // those farther inside than the margin first
-  std::size_t inner_ = 0;
+  std::vector<double> x_, y_, gamma_, sigma_;
 };
 
 }  // namespace vortree::sph

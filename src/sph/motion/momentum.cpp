@@ -98,23 +98,25 @@ void Momentum::set_boundary(Cloud& cloud, const MomentumInput& input) {
   outlet_u_.assign(outlet_.size(), 0), outlet_v_.assign(outlet_.size(), 0);
   if (input.far_field) {
     input.far_field->velocity(gather(cloud.x, outer), gather(cloud.y, outer), stream, u, v);
-    input.far_field->velocity_by_inner(gather(cloud.x, outlet_), gather(cloud.y, outlet_),
-                                       outlet_u_, outlet_v_);
+    input.far_field->velocity_among(gather(cloud.x, outlet_), gather(cloud.y, outlet_), outlet_u_,
+                                    outlet_v_);
   }
   for (std::size_t k = 0; k < outer.size(); ++k) cloud.u[outer[k]] = u[k], cloud.v[outer[k]] = v[k];
 }
 
 void Momentum::set_outlet(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
                           const MomentumInput& input) {
-  std::vector<double> now(outlet_.size());
+  const bool known = along_outlet.size() == outlet_.size();
+  along_outlet.resize(outlet_.size());
   double sum = 0, rate_before = 0;
   const Vec2 streaming = rate_of_stream(input);
   for (std::size_t k = 0; k < outlet_.size(); ++k) {
     const std::uint32_t i = outlet_[k];
     const Vec2 out = -1 * cloud.normal(i), tau{-out.y, out.x};
-    now[k] = dot({outlet_u_[k], outlet_v_[k]}, tau);
-    const bool known = along_outlet.size() == outlet_.size();
-    const double speeding = known ? (now[k] - along_outlet[k]) / input.step.dt : 0;
+    const double now = dot({outlet_u_[k], outlet_v_[k]}, tau);
+    const double memory = cloud.spacing[i] / dot(input.ambient.steady, out) + input.step.dt;
+    const double speeding = known ? (now - along_outlet[k]) / memory : 0;
+    along_outlet[k] = known ? along_outlet[k] + input.step.dt * speeding : now;
     const double rate = speeding + dot(streaming + convection(before, stencils, i), tau);
     if (k > 0) {
       const Vec2 step = cloud.at(i) - cloud.at(outlet_[k - 1]);
@@ -123,7 +125,6 @@ void Momentum::set_outlet(const Cloud& cloud, const Velocities& before, const St
     rate_before = rate;
     given_[i] = -sum;
   }
-  along_outlet = now;
 }
 
 void Momentum::set_slopes(const Cloud& cloud, const Velocities& before, const Stencils& stencils,

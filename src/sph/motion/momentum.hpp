@@ -64,7 +64,8 @@ class Momentum {
   Iterations solve(Cloud& cloud, const Stencils& stencils, const OperatorOptions& options,
                    const MomentumInput& input, const tree::Phase& phase);
 
-  /// What the far field had along the outlet, node by node, in the step before: to be saved.
+  /// What the vorticity makes along the outlet, node by node, in the mean over the time that fluid
+  /// takes to pass a spacing: to be saved.
   std::vector<double> along_outlet;
 
  private:
