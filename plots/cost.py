@@ -3,10 +3,13 @@
 import json
 
 import numpy as np
-from _style import BLUE, GREEN, GREY, INK, ORANGE, SKY, Broken, Nothing, figure, main
+from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Broken, Nothing, figure, main
 
 WORDS = {"convect": "convect: velocities", "wall": "wall: slip and sheet"}
-COLOURS = (BLUE, ORANGE, GREEN, SKY)  # of the phases that a method names; output is grey
+PURPLE, YELLOW = "#cc79a7", "#f0e442"  # the rest of Okabe & Ito
+# Of the phases that a method names; output is grey.
+COLOURS = (BLUE, ORANGE, GREEN, SKY, RED, PURPLE, YELLOW, INK)
+MOST_IN_A_LINE = 5  # words of the legend
 
 
 def phases(report):
@@ -41,8 +44,8 @@ def draw(run):
     unit, size = ("s", 1) if layers.sum(axis=0).max() >= 2 else ("ms", 1e3)
     bottom.stackplot(time, size * layers, labels=[name for _, name, _ in phases(report)],
                      colors=[colour for *_, colour in phases(report)], lw=0, step="mid")
-    bottom.legend(loc="lower left", bbox_to_anchor=(-0.01, 0.99), ncol=len(layers),
-                  handlelength=1.1, columnspacing=1.4)
+    bottom.legend(loc="lower left", bbox_to_anchor=(-0.01, 0.99),
+                  ncol=min(len(layers), MOST_IN_A_LINE), handlelength=1.1, columnspacing=1.4)
     averaged = f",\nmean over {2 * (width // 2) + 1} steps" if width > 1 else ""
     bottom.set_ylabel(f"time per step  [{unit}]{averaged}", linespacing=1.3)
     bottom.set_ylim(0, None)

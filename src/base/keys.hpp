@@ -101,7 +101,7 @@ template <Worded E>
 
 /// Where the value of a key lives.
 using Target =
-    std::variant<double*, int*, std::int64_t*, std::string*, std::vector<double>*,
+    std::variant<bool*, double*, int*, std::int64_t*, std::string*, std::vector<double>*,
                  std::array<double, 2>*, std::array<double, 4>*, std::optional<double>*,
                  std::optional<std::string>*, std::optional<std::array<double, 4>>*, OneOf>;
 

@@ -5,7 +5,8 @@
 
 namespace vortree::sph {
 
-/// Incompressible SPH of variable resolution as scenes name it, with its table [sph].
+/// Incompressible SPH of variable resolution as scenes name it, with its tables [sph] and
+/// [neighbors].
 class SphMethod final : public flow::Method {
  public:
   std::unique_ptr<flow::Method> clone() const override {
@@ -13,7 +14,9 @@ class SphMethod final : public flow::Method {
   }
   std::unique_ptr<flow::Method> blank() const override { return std::make_unique<SphMethod>(); }
   std::string_view name() const override { return "sph"; }
-  std::vector<SceneTable> tables() override { return {table("sph", settings_)}; }
+  std::vector<SceneTable> tables() override {
+    return {table("sph", settings_), table("neighbors", neighbors_)};
+  }
   void choose(flow::Case& of, const flow::Written& written) override;
   void refuse(const flow::Case& of) const override;
   void refuse_beyond(const flow::Case& of, double memory) const override;
@@ -22,6 +25,7 @@ class SphMethod final : public flow::Method {
 
  private:
   SphSettings settings_;
+  NeighborSettings neighbors_;
 };
 
 }  // namespace vortree::sph

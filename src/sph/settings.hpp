@@ -7,6 +7,7 @@
 
 #include "base/keys.hpp"
 #include "flow/case.hpp"
+#include "sph/neighbors/settings.hpp"
 #include "sph/operators/stencils.hpp"
 
 // The table of a scene that belongs to SPH.
@@ -53,6 +54,7 @@ struct SphSettings {
 /// A scene as the method sees it.
 struct SphCase : flow::Case {
   SphSettings sph;
+  NeighborSettings neighbors{};
 };
 
 }  // namespace vortree::sph

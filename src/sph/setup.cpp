@@ -118,7 +118,7 @@ SphSetup setup_of(const SphCase& scene) {
       .initial = scene.initial,
       .wanted = {body.shape, own.spacing, own.levels, own.zone, own.growth},
       .confines = {box_of(scene), body.shape.get(), own.rings, wall_spacing},
-      .operators = {own.degree, own.reach, 0, body.shape.get(), own.operators},
+      .operators = {own.degree, own.reach, 0, body.shape.get(), own.operators, scene.neighbors},
       .wall_spacing = wall_spacing,
       .far_field = own.outside == Outside::free,
       .shift = own.shift,

@@ -139,7 +139,10 @@ void SphSolver::substep(double dt, const tree::Phase& phase) {
   renew_particles();
   if (substeps_ % sort_every == 0) sort(cloud_);
   phase("neighbors");
-  stencils_.renew(cloud_, setup_.operators);
+  stencils_.find_neighbors(cloud_, setup_.operators);
+  number(cloud_);
+  phase("operators");
+  stencils_.fit(cloud_, setup_.operators);
   iterations_ = momentum_.solve(cloud_, stencils_, setup_.operators,
                                 {.step = step,
                                  .later = time_ + dt,
@@ -318,6 +321,7 @@ void SphSolver::restore(long steps, const flow::Columns& columns, const flow::St
     cloud_.kind.push_back(static_cast<ParticleKind>(kind));
   for (const double place : flow::saved(state, "place"))
     cloud_.place.push_back(static_cast<std::int32_t>(place));
+  cloud_.was.assign(cloud_.place.size(), -1);
   far_field_.left_x = flow::saved(state, "left_x");
   far_field_.left_y = flow::saved(state, "left_y");
   far_field_.left_gamma = flow::saved(state, "left_gamma");

@@ -34,7 +34,8 @@ class SphSolver final : public flow::Solver {
 
   std::string particle() const override { return "particle"; }
   std::vector<std::string> phases() const override {
-    return {"move", "adapt", "neighbors", "boundary", "pressure", "viscosity", "slopes"};
+    return {"move",     "adapt",    "neighbors", "operators",
+            "boundary", "pressure", "viscosity", "slopes"};
   }
   void step(const tree::Phase& phase) override;
   long steps() const override { return steps_; }

@@ -13,10 +13,10 @@
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
 #include "base/memory.hpp"
-#include "bench/measures/neighbor_methods.hpp"
 #include "io/files.hpp"
 #include "io/tables/particles.hpp"
 #include "io/while_reading.hpp"
+#include "neighbors/methods.hpp"
 #include "tree/cells/home_cells.hpp"
 
 namespace vortree::app {
@@ -26,8 +26,8 @@ struct Laps {
   std::vector<double> tree, search, total;
 };
 
-void search(bench::NeighborMethod& method, const bench::NeighborJob& job, tree::PairList& rows,
-            Laps& laps) {
+void search(neighbors::NeighborMethod& method, const neighbors::NeighborJob& job,
+            tree::PairList& rows, Laps& laps) {
   Stopwatch watch;
   watch.begin("tree");
   method.build(job);
@@ -61,7 +61,7 @@ io::ParticleFile read_particles(const NeighborsJob& job) {
 // word.
 //
 // throws  std::runtime_error with numbers, if it does not even hold the particles
-std::int64_t room_for_pairs(const NeighborsJob& job, const bench::NeighborMaker& maker,
+std::int64_t room_for_pairs(const NeighborsJob& job, const neighbors::NeighborMaker& maker,
                             std::size_t n, std::uint64_t free) {
   const std::uint64_t taken = n * maker.particle_bytes;
   if (taken > free) {
@@ -74,8 +74,8 @@ std::int64_t room_for_pairs(const NeighborsJob& job, const bench::NeighborMaker&
 }
 
 // throws  std::runtime_error with numbers, if there are more pairs than memory holds
-Laps search(const NeighborsJob& job, const bench::NeighborMaker& maker,
-            const bench::NeighborJob& asked, tree::PairList& rows) {
+Laps search(const NeighborsJob& job, const neighbors::NeighborMaker& maker,
+            const neighbors::NeighborJob& asked, tree::PairList& rows) {
   const auto method = maker.make();
   Laps laps;
   const std::uint64_t free = free_memory();
@@ -104,8 +104,8 @@ std::string_view name_of(tree::PairRule rule) {
 
 std::vector<std::string> neighbor_methods() {
   std::vector<std::string> names;
-  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
-    names.emplace_back(maker.name);
+  for (const neighbors::NeighborMaker& maker : neighbors::makers()) {
+    names.emplace_back(maker.name());
   }
   return names;
 }
@@ -114,7 +114,7 @@ std::string neighbors(const NeighborsJob& job) {
   if (job.half && job.rule == tree::PairRule::own) {
     throw std::invalid_argument("--half lists each pair once, but rule own is not symmetric");
   }
-  const bench::NeighborMaker& maker = bench::neighbor_method(job.method);
+  const neighbors::NeighborMaker& maker = neighbors::maker_of(job.method);
   Stopwatch files;
   files.begin("io");
   io::require_writable(job.out, std::array{job.in});
@@ -122,7 +122,8 @@ std::string neighbors(const NeighborsJob& job) {
   files.end();
 
   const auto listing = job.half ? tree::Listing::once : tree::Listing::both_ways;
-  const bench::NeighborJob asked{{particles.x, particles.y}, particles.reach, job.rule, listing};
+  const neighbors::NeighborJob asked{
+      {particles.x, particles.y}, particles.reach, job.rule, listing};
   tree::PairList rows;
   const Laps laps = search(job, maker, asked, rows);
 

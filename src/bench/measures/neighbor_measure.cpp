@@ -13,7 +13,7 @@ namespace vortree::bench {
 namespace {
 
 // Of cells as wide as the largest reach: the particles of each, squared.
-double crowding(const NeighborJob& job) {
+double crowding(const neighbors::NeighborJob& job) {
   const double side = std::max(std::ranges::max(job.reach), 1e-300);
   const auto [left, right] = std::ranges::minmax(job.points.x);
   const auto [low, high] = std::ranges::minmax(job.points.y);
@@ -45,8 +45,8 @@ Fingerprint fingerprint(const tree::PairList& rows, tree::Listing listing) {
   return {rows.index.size(), sum};
 }
 
-NeighborMeasurement measure_neighbors(const NeighborMaker& maker, const NeighborJob& job,
-                                      double seconds) {
+NeighborMeasurement measure_neighbors(const neighbors::NeighborMaker& maker,
+                                      const neighbors::NeighborJob& job, double seconds) {
   const auto method = maker.make();
   tree::PairList rows;
   std::vector<double> build, search, total;
@@ -93,13 +93,13 @@ std::optional<Slope> fit_slope(std::span<const NeighborCost> costs) {
   return Slope{(count * xy - x * y) / (count * xx - x * x), from, to};
 }
 
-double expected_seconds(const NeighborMaker& maker, const NeighborJob& job) {
+double expected_seconds(const neighbors::NeighborMaker& maker, const neighbors::NeighborJob& job) {
   const auto n = static_cast<double>(job.points.size());
   if (maker.quadratic) return 0.7e-9 * n * n;
   // Nine cells, by vectors; five, each pair once, by chains.
-  if (maker.name == "uniform-grid") return 9 * 0.4e-9 * crowding(job);
-  if (maker.name == "linked-list") return 4.5 * 4e-9 * crowding(job);
-  const bool by_grids = maker.name == "qcg" || maker.name == "level-grids";
+  if (maker.name() == "uniform-grid") return 9 * 0.4e-9 * crowding(job);
+  if (maker.name() == "linked-list") return 4.5 * 4e-9 * crowding(job);
+  const bool by_grids = maker.name() == "qcg" || maker.name() == "level-grids";
   return n * (by_grids ? 0.3e-6 : 8e-6);
 }
 

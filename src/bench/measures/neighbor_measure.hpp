@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "bench/measures/neighbor_methods.hpp"
 #include "bench/sets/particle_sets.hpp"
+#include "neighbors/methods.hpp"
 
 namespace vortree::bench {
 
@@ -35,8 +35,8 @@ struct NeighborMeasurement {
 /// same buffers.
 ///
 /// seconds   repeats for so long, three times at least; twice if one search takes longer than this
-NeighborMeasurement measure_neighbors(const NeighborMaker& maker, const NeighborJob& job,
-                                      double seconds);
+NeighborMeasurement measure_neighbors(const neighbors::NeighborMaker& maker,
+                                      const neighbors::NeighborJob& job, double seconds);
 
 /// What a set of n particles costs [s].
 struct NeighborCost {
@@ -53,6 +53,7 @@ struct Slope {
 /// Seconds that a search will take, roughly, before it is made: so that nobody waits for hours.
 /// From the pairs it tests: all, or those of cells as wide as the largest reach; else some
 /// microseconds a particle.
-[[nodiscard]] double expected_seconds(const NeighborMaker& maker, const NeighborJob& job);
+[[nodiscard]] double expected_seconds(const neighbors::NeighborMaker& maker,
+                                      const neighbors::NeighborJob& job);
 
 }  // namespace vortree::bench

@@ -110,8 +110,8 @@ class NeighborBenchRun {
       if (particles.size() > largest_) return;
       if (job_.quick && question.rule != PairRule::max && particles.size() > 200'000) continue;
       if (question.several && several_ == 1) continue;
-      for (const NeighborMaker& maker : neighbor_methods()) {
-        const bool fast = maker.name == "qcg" || maker.name == "level-grids";
+      for (const neighbors::NeighborMaker& maker : neighbors::makers()) {
+        const bool fast = maker.name() == "qcg" || maker.name() == "level-grids";
         if (question.all || fast) measure_one(set, question, particles, maker);
       }
     }
@@ -132,8 +132,9 @@ class NeighborBenchRun {
 
  private:
   void measure_one(const Set& set, const Question& question, const ParticleSet& particles,
-                   const NeighborMaker& maker) {
-    const NeighborJob job{particles.points(), particles.reach, question.rule, question.listing};
+                   const neighbors::NeighborMaker& maker) {
+    const neighbors::NeighborJob job{particles.points(), particles.reach, question.rule,
+                                     question.listing};
     if (expected_seconds(maker, job) > longest_) return;
     const int threads = question.several ? several_ : 1;
     omp_set_num_threads(threads);
@@ -150,28 +151,28 @@ class NeighborBenchRun {
     const std::string bytes = made.bytes ? fmt::format("{}", *made.bytes) : "";
     write(fmt::format(
         "{},{},{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.3f},{},{},{},{:.4f}",
-        set.family, set.name, order, particles.size(), levels, maker.name, rule, listing, threads,
+        set.family, set.name, order, particles.size(), levels, maker.name(), rule, listing, threads,
         made.build, made.search, made.total, made.fastest, made.repeats, made.cpu, made.found.pairs,
         bytes, made.list_bytes, share));
     const double beyond = static_cast<double>(made.bytes.value_or(made.list_bytes)) -
                           static_cast<double>(made.list_bytes);
     say_(fmt::format("{:10} {:8} {:8} {:13} {:4} {:7} {:7} {:23.1f} {:8.1f} {:8.1f} {:7.0f} {:.3f}",
-                     set.name, order, particles.size(), maker.name, rule, listing, threads,
+                     set.name, order, particles.size(), maker.name(), rule, listing, threads,
                      1e9 * made.build / n, 1e9 * made.search / n, 1e9 * made.total / n, beyond / n,
                      share));
     if (question.rule == PairRule::max) {
-      costs_[{set.family, maker.name, order, listing, threads}].push_back({n, made.fastest});
+      costs_[{set.family, maker.name(), order, listing, threads}].push_back({n, made.fastest});
     }
   }
 
   // Every method lists the same pairs, one thread or several.
-  void compare(const Set& set, const Question& question, const NeighborMaker& maker,
+  void compare(const Set& set, const Question& question, const neighbors::NeighborMaker& maker,
                const Fingerprint& found) {
     const auto [first, is_new] =
         found_.emplace(std::tuple(question.order, question.rule, question.listing), found);
     if (!is_new && !(first->second == found)) {
       throw std::runtime_error(fmt::format("{} lists other pairs of {} than the method before it",
-                                           maker.name, set.name));
+                                           maker.name(), set.name));
     }
   }
 

@@ -87,6 +87,7 @@ std::string usual(const Key& key) {
 
 /// "> 0, <= 0.1", "8 .. 64", "a", "b"; nothing where anything goes.
 std::string limits(const Key& key) {
+  if (std::holds_alternative<bool*>(key.target)) return "true, false";
   if (const OneOf* choice = std::get_if<OneOf>(&key.target)) {
     std::vector<std::string> words;
     for (const std::string_view word : choice->words) words.push_back(in_quotes(word));

@@ -63,6 +63,11 @@ void read(const Value& value, double& target, const Rule& rule) {
   hold(value, target, rule);
 }
 
+void read(const Value& value, bool& target, const Rule&) {
+  if (!value.node.is_boolean()) value.expected("true or false");
+  target = value.node.as_boolean()->get();
+}
+
 void read(const Value& value, std::int64_t& target, const Rule& rule) {
   if (!value.node.is_integer()) value.expected("an integer");
   target = value.node.as_integer()->get();

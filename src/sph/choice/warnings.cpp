@@ -80,6 +80,16 @@ void doubt_sides(flow::Warnings& list, const SphCase& scene) {
                     u, v, end));
 }
 
+/// A search of all pairs takes as long as the rest of a step at some thousand particles.
+void doubt_neighbors(flow::Warnings& list, const SphCase& scene) {
+  const double particles = expected_particles(scene);
+  if (!neighbors::maker_of(scene.neighbors.method).quadratic || particles < 5000) return;
+  list.push_back(fmt::format(
+      "neighbors.method = \"{}\": the time of a step grows with the square of the {:.2g} "
+      "particles; \"qcg\" finds the same neighbors",
+      word(scene.neighbors.method), particles));
+}
+
 }  // namespace
 
 flow::Warnings warnings(const SphCase& scene) {
@@ -89,6 +99,7 @@ flow::Warnings warnings(const SphCase& scene) {
   doubt_motion(list, scene.sph);
   doubt_box(list, scene);
   doubt_sides(list, scene);
+  doubt_neighbors(list, scene);
   return list;
 }
 

@@ -6,7 +6,8 @@
 namespace vortree::sph {
 
 /// What will be poor: spacings that are wide for the layers beside the body, too little shifting,
-/// steps longer than shifting holds, a box near the body, an outlet that the wake meets.
+/// steps longer than shifting holds, a box near the body, an outlet that the wake meets, a search
+/// of all pairs.
 [[nodiscard]] flow::Warnings warnings(const SphCase& scene);
 
 }  // namespace vortree::sph

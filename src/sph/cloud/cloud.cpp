@@ -1,6 +1,7 @@
 #include "sph/cloud/cloud.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "tree/order/sort.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 /// act(column) for each.
 void for_each_column(Cloud& cloud, const auto& act) {
   act(cloud.x), act(cloud.y), act(cloud.spacing), act(cloud.kind), act(cloud.place);
-  act(cloud.nx), act(cloud.ny);
+  act(cloud.nx), act(cloud.ny), act(cloud.was);
   for (const auto field : carried) act(cloud.*field);
 }
 
@@ -18,7 +19,7 @@ void for_each_column(Cloud& cloud, const auto& act) {
 
 std::size_t Cloud::add(Vec2 at, double s, ParticleKind of) {
   for_each_column(*this, [](auto& column) { column.emplace_back(); });
-  x.back() = at.x, y.back() = at.y, spacing.back() = s, kind.back() = of;
+  x.back() = at.x, y.back() = at.y, spacing.back() = s, kind.back() = of, was.back() = -1;
   return size() - 1;
 }
 
@@ -50,6 +51,11 @@ std::vector<std::uint32_t> in_order(const Cloud& cloud, ParticleKind kind) {
     if (cloud.kind[i] == kind) nodes.push_back(i);
   std::ranges::sort(nodes, {}, [&](std::uint32_t i) { return cloud.place[i]; });
   return nodes;
+}
+
+void number(Cloud& cloud) {
+  cloud.was.resize(cloud.size());
+  std::iota(cloud.was.begin(), cloud.was.end(), 0);
 }
 
 void sort(Cloud& cloud) {

@@ -37,12 +37,14 @@ struct BoundaryNode {
 /// u, v               velocity at the time t [L/T]; u_before, v_before at the time of the step
 ///                    before, of the same fluid
 /// p                  pressure per unit density at t [L^2/T^2]
+/// was                its number when particles were numbered last; -1: it is new
 struct Cloud {
   std::vector<double> x, y, spacing;
   std::vector<ParticleKind> kind;
   std::vector<std::int32_t> place;
   std::vector<double> nx, ny;
   std::vector<double> u, v, u_before, v_before, p;
+  std::vector<std::int32_t> was;
 
   [[nodiscard]] std::size_t size() const { return x.size(); }
   [[nodiscard]] tree::Points points() const { return {x, y}; }
@@ -77,6 +79,9 @@ inline constexpr std::size_t carried_count = carried.size();
 
 /// The nodes of a boundary, by their places.
 [[nodiscard]] std::vector<std::uint32_t> in_order(const Cloud& cloud, ParticleKind kind);
+
+/// Numbers the particles as they stand.
+void number(Cloud& cloud);
 
 /// Puts the particles into Morton order, in which those near in space are near in memory.
 void sort(Cloud& cloud);

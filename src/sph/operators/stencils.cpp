@@ -53,7 +53,7 @@ struct FitGroup {
 /// Weights of a degree for some lanes, by neighbors nearer than `cut` of their reach. Returns those
 /// for which it could not be done.
 template <int degree>
-LaneSet fit(const FitGroup& group, double cut, LaneSet lanes) {
+LaneSet fit_lanes(const FitGroup& group, double cut, LaneSet lanes) {
   Fit<degree> fit;
   const Lanes inverse = 1.0 / group.reach;
   for (std::size_t k = 0; k < group.slots; ++k)
@@ -123,14 +123,28 @@ void sum_pairs(const FitGroup& group, Lanes spacing, LaneSet lanes) {
 }  // namespace
 
 void Stencils::renew(const Cloud& cloud, const OperatorOptions& options) {
+  find_neighbors(cloud, options);
+  fit(cloud, options);
+}
+
+void Stencils::find_neighbors(const Cloud& cloud, const OperatorOptions& options) {
   reach_.resize(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) reach_[i] = options.reach * cloud.spacing[i];
-  if (options.period > 0)
-    list_periodic(cloud, options);
-  else
-    list(cloud, options);
-  if (options.body) keep_in_sight(rows_, cloud, *options.body);
-  arrange(cloud);
+  const double skin = options.neighbors.skin / options.reach;
+  images_.of.clear();
+  if (options.period > 0) {
+    images_.renew(cloud.points(), reach_, cloud.was, options.period);
+    lists_.renew(images_.points(), images_.reach, images_.was, options.neighbors, skin);
+    arrange(images_.points(), cloud.size());
+  } else {
+    lists_.renew(cloud.points(), reach_, cloud.was, options.neighbors, skin);
+    if (options.body) keep_in_sight(lists_.rows(), cloud, *options.body);
+    arrange(cloud.points(), cloud.size());
+  }
+}
+
+void Stencils::fit(const Cloud& cloud, const OperatorOptions& options) {
+  for (auto& weight : weight_) weight.renew(index_.size());
   filling_.resize(cloud.size()), nearest_.resize(cloud.size());
   degraded_in_.assign(groups(), 0);
 #pragma omp parallel for schedule(dynamic, 16)
@@ -138,39 +152,13 @@ void Stencils::renew(const Cloud& cloud, const OperatorOptions& options) {
   degraded_ = std::accumulate(degraded_in_.begin(), degraded_in_.end(), std::size_t{0});
 }
 
-void Stencils::list(const Cloud& cloud, const OperatorOptions&) {
-  image_of_.clear();
-  search_.place(cloud.points(), reach_);
-  search_.list(tree::PairRule::mean, tree::Listing::both_ways, rows_);
-}
-
-void Stencils::list_periodic(const Cloud& cloud, const OperatorOptions& options) {
-  const double side = options.period;
-  const double margin = *std::max_element(reach_.begin(), reach_.end());
-  image_x_ = cloud.x, image_y_ = cloud.y;
-  image_of_.resize(cloud.size());
-  std::iota(image_of_.begin(), image_of_.end(), 0);
-  for (int a = -1; a <= 1; ++a)
-    for (int b = -1; b <= 1; ++b)
-      for (std::size_t i = 0; i < cloud.size(); ++i) {
-        const double x = cloud.x[i] + a * side, y = cloud.y[i] + b * side;
-        const bool near = x > -margin && x < side + margin && y > -margin && y < side + margin;
-        if ((a == 0 && b == 0) || !near) continue;
-        image_x_.push_back(x), image_y_.push_back(y);
-        image_of_.push_back(static_cast<std::int32_t>(i));
-        reach_.push_back(reach_[i]);
-      }
-  search_.place({image_x_, image_y_}, reach_);
-  search_.list(tree::PairRule::mean, tree::Listing::both_ways, rows_);
-}
-
-/// Rows of a group side by side.
-void Stencils::arrange(const Cloud& cloud) {
-  const std::size_t n = cloud.size(), count = (n + lane_count - 1) / lane_count;
+/// Rows of a group side by side, of the first n points.
+void Stencils::arrange(tree::Points points, std::size_t n) {
+  const std::size_t count = (n + lane_count - 1) / lane_count;
   length_.resize(n);
   first_.assign(count + 1, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    length_[i] = static_cast<std::uint32_t>(rows_.row(i).size());
+    length_[i] = static_cast<std::uint32_t>(lists_.row(i).size());
     std::size_t& longest = first_[i / lane_count + 1];
     longest = std::max<std::size_t>(longest, length_[i]);
   }
@@ -178,17 +166,16 @@ void Stencils::arrange(const Cloud& cloud) {
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
   const std::size_t slots = first_.back() * lane_count;
   index_.renew(slots), dx_.renew(slots), dy_.renew(slots);
-  for (auto& weight : weight_) weight.renew(slots);
-  const bool images = !image_of_.empty();
-  const std::span<const double> x = images ? image_x_ : cloud.x, y = images ? image_y_ : cloud.y;
+  const bool images = !images_.of.empty();
+  const auto [x, y] = points;
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < count * lane_count; ++i) {
     const std::size_t self = std::min(i, n - 1);
     std::size_t k = slot(i);
     const std::size_t end = first_[i / lane_count + 1] * lane_count;
     if (i < n)
-      for (const std::int32_t j : rows_.row(i)) {
-        index_[k] = images ? image_of_[j] : j;
+      for (const std::int32_t j : lists_.row(i)) {
+        index_[k] = images ? images_.of[j] : j;
         dx_[k] = x[j] - x[i], dy_[k] = y[j] - y[i];
         k += lane_count;
       }
@@ -233,8 +220,8 @@ void Stencils::fit_group(const Cloud& cloud, const OperatorOptions& options, std
   const double cut = options.degree > 2 ? std::min(1.0, boundary_reach / options.reach) : 1.0;
   if (sums) return sum_pairs(group, spacing, all);
   LaneSet low = all & ~high;
-  if (high) low |= fit<4>(group, 1, high);
-  if (low) low = fit<2>(group, cut, low);
+  if (high) low |= fit_lanes<4>(group, 1, high);
+  if (low) low = fit_lanes<2>(group, cut, low);
   if (low) fit_poorly(group, low);
   degraded_in_[number] = static_cast<std::uint32_t>(__builtin_popcount(low));
 }
@@ -245,13 +232,6 @@ std::vector<char> Stencils::beside_edge(const Cloud& cloud) const {
     if (cloud.kind[i] >= ParticleKind::outer)
       for_each(i, [&](std::size_t j, std::size_t) { beside[j] = 1; });
   return beside;
-}
-
-std::size_t Stencils::bytes() const {
-  std::size_t sum = search_.bytes() + rows_.start.bytes() + rows_.index.bytes() + index_.bytes() +
-                    dx_.bytes() + dy_.bytes();
-  for (const auto& weight : weight_) sum += weight.bytes();
-  return sum;
 }
 
 }  // namespace vortree::sph

@@ -9,9 +9,10 @@
 #include "base/keys.hpp"
 #include "body/shape.hpp"
 #include "sph/cloud/cloud.hpp"
+#include "sph/neighbors/neighbor_lists.hpp"
+#include "sph/neighbors/periodic_images.hpp"
 #include "tree/base/buffer.hpp"
 #include "tree/base/simd.hpp"
-#include "tree/neighbors/neighbors.hpp"
 
 namespace vortree::sph {
 
@@ -45,12 +46,14 @@ namespace vortree::sph {
 /// period   sides of a periodic domain with a corner at the origin [L]; 0: not periodic
 /// body     through which particles do not see each other; null without one
 /// kind     what of the weights below is a fit; pair sums have no degree
+/// neighbors  how these are found
 struct OperatorOptions {
   int degree = 2;
   double reach = 2.8;
   double period = 0;
   const body::Shape* body = nullptr;
   OperatorKind kind = OperatorKind::least_squares;
+  NeighborSettings neighbors{};
 };
 
 /// Neighbors of all particles, and the weights by which derivatives follow from them:
@@ -76,8 +79,10 @@ struct OperatorOptions {
 ///           Comput. Math. 4 (1995)
 class Stencils {
  public:
-  /// Finds neighbors and weights for particles where they are now.
+  /// Finds neighbors and weights for particles where they are now: the one after the other.
   void renew(const Cloud& cloud, const OperatorOptions& options);
+  void find_neighbors(const Cloud& cloud, const OperatorOptions& options);
+  void fit(const Cloud& cloud, const OperatorOptions& options);
 
   [[nodiscard]] std::size_t size() const { return length_.size(); }
   [[nodiscard]] std::size_t groups() const { return first_.empty() ? 0 : first_.size() - 1; }
@@ -123,19 +128,13 @@ class Stencils {
   /// Which particles have a node of the outer boundary among their neighbors.
   [[nodiscard]] std::vector<char> beside_edge(const Cloud& cloud) const;
 
-  [[nodiscard]] std::size_t bytes() const;
-
  private:
-  void list(const Cloud& cloud, const OperatorOptions& options);
-  void list_periodic(const Cloud& cloud, const OperatorOptions& options);
-  void arrange(const Cloud& cloud);
+  void arrange(tree::Points points, std::size_t n);
   void fit_group(const Cloud& cloud, const OperatorOptions& options, std::size_t group);
 
-  tree::Neighbors search_;
-  tree::PairList rows_;
+  NeighborLists lists_;
+  PeriodicImages images_;
   std::vector<double> reach_;
-  std::vector<double> image_x_, image_y_;  // periodic: particles, then their images
-  std::vector<std::int32_t> image_of_;     // whose
   std::vector<std::size_t> first_;
   std::vector<std::uint32_t> length_;
   tree::Buffer<std::int32_t> index_;

@@ -146,3 +146,15 @@ TEST_CASE("a method that is cloned keeps its settings, a blank one has none") {
   CHECK(spacing(*scene.method.blank()) == 0);
   CHECK(scene.method.name() == "sph");
 }
+
+TEST_CASE("a search of all pairs is warned of where particles are many") {
+  const auto told = [](neighbors::SearchMethod method, double spacing) {
+    SphScene scene;
+    scene.set("spacing", spacing).set("method", method).choose();
+    return scene.method.warnings(scene.of).size();
+  };
+  using enum neighbors::SearchMethod;
+  CHECK(told(all_pairs, 0.025) == told(qcg, 0.025) + 1);
+  CHECK(told(linked_list, 0.025) == told(qcg, 0.025));
+  CHECK(told(all_pairs, 0.1) == told(qcg, 0.1));
+}

@@ -34,7 +34,7 @@ struct SphScene {
       for (const Key& key : table.keys())
         if (key.name == name) {
           put(key.target, value);
-          written.insert("sph." + std::string(name));
+          written.insert(std::string(table.name) + "." + std::string(name));
           return *this;
         }
     FAIL("no key " << name);
@@ -84,7 +84,8 @@ struct SphScene {
   static void put(const Target& target, std::array<double, 4> value) {
     *std::get<std::optional<std::array<double, 4>>*>(target) = value;
   }
-  static void put(const Target& target, Outside value) {
+  template <Worded E>
+  static void put(const Target& target, E value) {
     std::get<OneOf>(target).set(static_cast<std::size_t>(value));
   }
 };

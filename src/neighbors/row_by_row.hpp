@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/measures/exact_pairs.hpp"
+#include "neighbors/exact_pairs.hpp"
 #include "tree/base/parallel.hpp"
 #include "tree/neighbors/pair_list.hpp"
 
-namespace vortree::bench {
+namespace vortree::neighbors {
 
 /// Rows from a search that takes one particle after the other.
 ///
@@ -68,4 +68,4 @@ class RowByRow : public NeighborMethod {
   }
 };
 
-}  // namespace vortree::bench
+}  // namespace vortree::neighbors

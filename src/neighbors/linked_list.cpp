@@ -2,10 +2,10 @@
 #include <cmath>
 #include <vector>
 
-#include "bench/measures/exact_pairs.hpp"
+#include "neighbors/exact_pairs.hpp"
 
 // Compiled without fused operations: see tree/neighbors/pair_rule.hpp.
-namespace vortree::bench {
+namespace vortree::neighbors {
 namespace {
 
 using tree::PairRule;
@@ -119,4 +119,4 @@ std::unique_ptr<NeighborMethod> make_linked_list() {
   return std::make_unique<LinkedList>();
 }
 
-}  // namespace vortree::bench
+}  // namespace vortree::neighbors

@@ -2,12 +2,12 @@
 
 #include <cstddef>
 
-#include "bench/measures/neighbor_methods.hpp"
+#include "neighbors/methods.hpp"
 #include "tree/neighbors/pair_rule.hpp"
 
 /// The test of a pair and who keeps it, for methods that go from particle to particle. Their
 /// sources are compiled without fused operations: see tree/neighbors/pair_rule.hpp.
-namespace vortree::bench {
+namespace vortree::neighbors {
 
 /// Calls work with the rule as a constant.
 template <class Work>
@@ -35,4 +35,4 @@ inline bool keeps(const NeighborJob& job, std::size_t i, std::size_t j) {
   return job.reach[i] != job.reach[j] ? job.reach[i] > job.reach[j] : i < j;
 }
 
-}  // namespace vortree::bench
+}  // namespace vortree::neighbors

@@ -1,11 +1,10 @@
-#include "bench/measures/neighbor_methods.hpp"
+#include "neighbors/methods.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <stdexcept>
 
-#include "bench/measures/neighbor_measure.hpp"
 #include "bench/sets/particle_sets.hpp"
 #include "tree/pairs.hpp"
 #include "tree/reaches.hpp"
@@ -34,12 +33,12 @@ test::Pairs pairs_within(tree::Points p, std::span<const double> reach, PairRule
 // Every method finds the pairs of all pairs, listed as it should.
 void check_methods(tree::Points points, std::span<const double> reach, PairRule rule) {
   const test::Pairs truth = pairs_within(points, reach, rule);
-  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
+  for (const neighbors::NeighborMaker& maker : neighbors::makers()) {
     const auto method = maker.make();
     for (const Listing listing : {Listing::both_ways, Listing::once}) {
       if (rule == PairRule::own && listing == Listing::once) continue;
-      CAPTURE(maker.name, static_cast<int>(rule), static_cast<int>(listing), points.size());
-      const bench::NeighborJob job{points, reach, rule, listing};
+      CAPTURE(maker.name(), static_cast<int>(rule), static_cast<int>(listing), points.size());
+      const neighbors::NeighborJob job{points, reach, rule, listing};
       tree::PairList rows;
       method->build(job);
       method->search(job, rows);
@@ -100,9 +99,9 @@ TEST_CASE("every method lists them at any scale, and down to the spacing of doub
 
 TEST_CASE("every method refuses more pairs than may be listed") {
   const bench::ParticleSet set = bench::make_particles("uni:30");
-  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
-    CAPTURE(maker.name);
-    const bench::NeighborJob job{set.points(), set.reach};
+  for (const neighbors::NeighborMaker& maker : neighbors::makers()) {
+    CAPTURE(maker.name());
+    const neighbors::NeighborJob job{set.points(), set.reach};
     const auto method = maker.make();
     tree::PairList rows;
     rows.most = 100;
@@ -115,9 +114,9 @@ TEST_CASE("at full size all fast methods list the same pairs") {
   const bench::ParticleSet set = bench::make_particles("cyl:5:100");
   std::vector<std::int64_t> truth;
   std::vector<std::uint64_t> sums;
-  for (const bench::NeighborMaker& maker : bench::neighbor_methods()) {
-    if (maker.quadratic || maker.name == "linked-list") continue;
-    const bench::NeighborJob job{set.points(), set.reach};
+  for (const neighbors::NeighborMaker& maker : neighbors::makers()) {
+    if (maker.quadratic || maker.name() == "linked-list") continue;
+    const neighbors::NeighborJob job{set.points(), set.reach};
     const auto method = maker.make();
     tree::PairList rows;
     method->build(job);
@@ -133,22 +132,10 @@ TEST_CASE("at full size all fast methods list the same pairs") {
     }
     const auto start = rows.start.span();
     if (truth.empty()) truth.assign(start.begin(), start.end());
-    CAPTURE(maker.name);
+    CAPTURE(maker.name());
     CHECK(std::ranges::equal(truth, start));
     sums.push_back(sum);
   }
   CHECK(truth.back() > 1000000);
   CHECK(std::ranges::count(sums, sums[0]) == static_cast<std::ptrdiff_t>(sums.size()));
-}
-
-TEST_CASE("the exponent of a power of n is found, from ten thousand on") {
-  std::vector<bench::NeighborCost> costs{{1000, 7}, {3000, 1}};
-  for (const double n : {1e4, 1e5, 1e6}) costs.push_back({n, 3e-7 * std::pow(n, 1.04)});
-  const auto slope = bench::fit_slope(costs);
-  REQUIRE(slope);
-  CHECK(slope->exponent == Approx(1.04));
-  CHECK(slope->from == 1e4);
-  CHECK(slope->to == 1e6);
-  costs.pop_back();
-  CHECK_FALSE(bench::fit_slope(costs));
 }

@@ -3,10 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "bench/measures/neighbor_methods.hpp"
+#include "neighbors/methods.hpp"
 #include "tree/neighbors/pair_search.hpp"
 
-namespace vortree::bench {
+namespace vortree::neighbors {
 namespace {
 
 using tree::PairRule;
@@ -191,4 +191,4 @@ std::unique_ptr<NeighborMethod> make_uniform_grid() {
   return std::make_unique<LevelGrids>(1);
 }
 
-}  // namespace vortree::bench
+}  // namespace vortree::neighbors

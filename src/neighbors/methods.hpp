@@ -1,15 +1,51 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <string_view>
 
+#include "base/keys.hpp"
 #include "tree/neighbors/pair_list.hpp"
 #include "tree/neighbors/pair_rule.hpp"
 #include "tree/order/points.hpp"
 
-namespace vortree::bench {
+// Every way to find neighbors, for whoever lets a user choose.
+
+namespace vortree::neighbors {
+
+/// Best first:
+///
+///   qcg             tree/neighbors/neighbors.hpp
+///   level-grids     a grid for each level of reach, counting sort; the tests and rows of qcg
+///   uniform-grid    one such grid, cells as wide as the largest reach
+///   linked-list     the paper's: the same cells, particles chained by index, 5-cell half stencil;
+///                   serial
+///   leaf-quadtree   one particle to a childless cell, searched from the root
+///   r-tree          Boost.Geometry, packed; code that shares nothing with the others
+///   all-pairs       every particle against every other, in doubles
+enum class SearchMethod {
+  qcg,
+  level_grids,
+  uniform_grid,
+  linked_list,
+  leaf_quadtree,
+  r_tree,
+  all_pairs
+};
+
+}  // namespace vortree::neighbors
+
+namespace vortree {
+
+template <>
+inline constexpr std::array<std::string_view, 7> words_of<neighbors::SearchMethod>{
+    "qcg", "level-grids", "uniform-grid", "linked-list", "leaf-quadtree", "r-tree", "all-pairs"};
+
+}  // namespace vortree
+
+namespace vortree::neighbors {
 
 /// What is asked for: the neighbors of all particles among themselves.
 struct NeighborJob {
@@ -31,34 +67,28 @@ class NeighborMethod {
 
 /// One of the methods.
 ///
-/// name             on the command line
 /// reads            what it is, in a few words
 /// quadratic        its time grows like n^2
 /// particle_bytes   memory that a particle takes, beside its input and its neighbors
 /// pair_bytes       at most, that an entry of the list takes while it is sought and stored
 struct NeighborMaker {
-  std::string_view name, reads;
+  SearchMethod method;
+  std::string_view reads;
   bool quadratic;
   std::size_t particle_bytes, pair_bytes;
   std::unique_ptr<NeighborMethod> (*make)();
+
+  [[nodiscard]] constexpr std::string_view name() const { return word(method); }
 };
 
-/// Every method, best first:
-///
-///   qcg             tree/neighbors/neighbors.hpp
-///   level-grids     a grid for each level of reach, counting sort; the tests and rows of qcg
-///   uniform-grid    one such grid, cells as wide as the largest reach
-///   linked-list     the paper's: the same cells, particles chained by index, 5-cell half stencil;
-///                   serial
-///   leaf-quadtree   one particle to a childless cell, searched from the root
-///   r-tree          Boost.Geometry, packed; code that shares nothing with the others
-///   all-pairs       every particle against every other, in doubles
-[[nodiscard]] std::span<const NeighborMaker> neighbor_methods();
+/// Every method, in the order of its enumeration.
+[[nodiscard]] std::span<const NeighborMaker> makers();
+[[nodiscard]] const NeighborMaker& maker_of(SearchMethod method);
 
 /// The method of that name.
 ///
 /// throws  std::invalid_argument if there is none
-[[nodiscard]] const NeighborMaker& neighbor_method(std::string_view name);
+[[nodiscard]] const NeighborMaker& maker_of(std::string_view name);
 
 std::unique_ptr<NeighborMethod> make_qcg();
 std::unique_ptr<NeighborMethod> make_level_grids();
@@ -68,4 +98,4 @@ std::unique_ptr<NeighborMethod> make_leaf_quadtree();
 std::unique_ptr<NeighborMethod> make_r_tree();
 std::unique_ptr<NeighborMethod> make_all_pairs();
 
-}  // namespace vortree::bench
+}  // namespace vortree::neighbors

@@ -1,11 +1,11 @@
 #include <vector>
 
-#include "bench/measures/exact_pairs.hpp"
-#include "bench/tables/row_writer.hpp"
+#include "neighbors/exact_pairs.hpp"
+#include "neighbors/row_by_row.hpp"
 #include "tree/base/simd.hpp"
 
 // Compiled without fused operations: see tree/neighbors/pair_rule.hpp.
-namespace vortree::bench {
+namespace vortree::neighbors {
 namespace {
 
 using tree::PairRule;
@@ -64,4 +64,4 @@ std::unique_ptr<NeighborMethod> make_all_pairs() {
   return std::make_unique<AllPairs>();
 }
 
-}  // namespace vortree::bench
+}  // namespace vortree::neighbors

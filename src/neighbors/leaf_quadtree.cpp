@@ -2,13 +2,13 @@
 #include <array>
 #include <vector>
 
-#include "bench/measures/exact_pairs.hpp"
-#include "bench/tables/row_writer.hpp"
+#include "neighbors/exact_pairs.hpp"
+#include "neighbors/row_by_row.hpp"
 #include "tree/build/build_forward.hpp"
 #include "tree/build/split_rule.hpp"
 
 // Compiled without fused operations: see tree/neighbors/pair_rule.hpp.
-namespace vortree::bench {
+namespace vortree::neighbors {
 namespace {
 
 using tree::PairRule;
@@ -90,4 +90,4 @@ std::unique_ptr<NeighborMethod> make_leaf_quadtree() {
   return std::make_unique<LeafQuadtree>();
 }
 
-}  // namespace vortree::bench
+}  // namespace vortree::neighbors

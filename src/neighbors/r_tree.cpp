@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "bench/measures/exact_pairs.hpp"
-#include "bench/tables/row_writer.hpp"
+#include "neighbors/exact_pairs.hpp"
+#include "neighbors/row_by_row.hpp"
 #include "tree/order/points.hpp"
 
 // Compiled without fused operations: see tree/neighbors/pair_rule.hpp.
-namespace vortree::bench {
+namespace vortree::neighbors {
 namespace {
 
 namespace bg = boost::geometry;
@@ -72,4 +72,4 @@ std::unique_ptr<NeighborMethod> make_r_tree() {
   return std::make_unique<RTree>();
 }
 
-}  // namespace vortree::bench
+}  // namespace vortree::neighbors
