@@ -124,6 +124,11 @@ class Run:
         return "wall" if self.scene.get("method") == "sph" else "impulse"
 
     @property
+    def particle(self):
+        """What one is called."""
+        return "particle" if self.scene.get("method") == "sph" else "blob"
+
+    @property
     def stream(self):
         return np.array(self.scene["flow"].get("stream", [0.0, 0.0]))
 
@@ -166,7 +171,8 @@ class Run:
         the folder has travelled, among the cases that come with the program."""
         if key not in self.check:
             return None
-        written = Path(self.check[key])
+        reynolds = f"{self.scene['flow'].get('reynolds', 0)!r}".removesuffix(".0")
+        written = Path(self.check[key].replace("{reynolds}", reynolds))
         beside = Path(self._attributes.get("scene_path", "")).parent / written
         shipped = Path(__file__).resolve().parent.parent / "cases" / written
         return next((read_csv(path) for path in (beside, shipped) if path.exists()), None)

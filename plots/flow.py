@@ -5,6 +5,7 @@ from _colours import COLOURS, UPPER
 from _outline import is_circle, outline
 from _streamlines import streamlines
 from _style import Nothing, figure, main
+from _vorticity import in_units, rounded, scale, vorticity
 from matplotlib.colors import TwoSlopeNorm
 
 MOST = 4  # panels
@@ -68,9 +69,7 @@ def scaled(run, body):
         fields = [fields[i] for i in np.linspace(0, len(fields) - 1, MOST).round().astype(int)]
     length, centre = run.body if body else (1.0, np.zeros(2))
     speed = run.speed if body else 1.0
-    return [{"x": (f["x"] - centre[0]) / length, "y": (f["y"] - centre[1]) / length,
-             "u": f["u"] / speed, "v": f["v"] / speed, "omega": f["omega"] * length / speed,
-             "time": f["time"] * speed / length} for f in fields]
+    return in_units(fields, length, centre, speed)
 
 
 def colours(fields, body):
@@ -99,25 +98,6 @@ def relative(fields):
     return fields
 
 
-def scale(fields):
-    """Where the colours end. The thin layers at the wall go far beyond: the scale serves the wake,
-    0.7 of the typical peak away from the wall."""
-    peaks = []
-    for field in fields:
-        X, Y = np.meshgrid(field["x"], field["y"])
-        peaks.append(np.abs(field["omega"][np.hypot(X, Y) > 1.25]).max(initial=0))
-    most = 0.7 * np.median(peaks)
-    if not 0 < most < np.inf:
-        raise Nothing
-    return rounded(0.9 * most)
-
-
-def rounded(most):
-    """The next round number."""
-    steps = np.outer(10.0**np.arange(-9, 10), [1, 1.5, 2, 3, 4, 5, 6, 8]).ravel()
-    return float(steps[steps >= most * (1 - 1e-9)][0])
-
-
 def windows(fields, body, faint):
     """What each picture shows, as xlim and ylim in a row: all that is ever not faint, and the body.
     Vortices that travel far are followed: then each has a window about its own middle."""
@@ -138,21 +118,6 @@ def window(fields, body, faint):
     pad = 0.6 if body else 0
     return [max(left - pad, x[0]), min(right + pad, x[-1]), max(low - pad, y[0]),
             min(high + pad, y[-1])]
-
-
-def vorticity(axes, field, circle, paint):
-    x, y, omega = field["x"], field["y"], field["omega"].copy()
-    if circle:  # the values beside the wall go on inside, so that no pale seam runs along it
-        X, Y = np.meshgrid(x, y)
-        r = np.hypot(X, Y)
-        j, i = np.nonzero((r < 1.02) & (r > 0.8))
-        out = 2.06 / r[j, i] - 1
-        omega[j, i] = omega[np.abs(y[:, None] - out * Y[j, i]).argmin(0),
-                            np.abs(x[:, None] - out * X[j, i]).argmin(0)]
-    dx, dy = x[1] - x[0], y[1] - y[0]
-    return axes.imshow(omega, origin="lower", **paint,
-                       extent=(x[0] - dx / 2, x[-1] + dx / 2, y[0] - dy / 2, y[-1] + dy / 2),
-                       interpolation="bicubic")
 
 
 main("flow.png", draw)

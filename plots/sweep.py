@@ -1,12 +1,13 @@
 """What a digit costs: error against the swept key, and seconds against error."""
 
-import csv
-
 import numpy as np
-from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Broken, Nothing, figure, main, note
+from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Nothing, figure, main, note
+from _sweep import WORDS as NAMES
+from _sweep import keys_of, medians, number, read
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-NOT_ERRORS = {"steps", "blobs", "particle_steps", "seconds", "blobs_max", "lift_max"}
+NOT_ERRORS = {"steps", "particles", "particle_steps", "seconds", "processor_seconds", "blobs_max",
+              "lift_max"}
 # Shown where nothing else is: drifts of what is kept, and an error that is no share.
 SECOND = {"circulation_max", "impulse_max", "second_moment_max", "separation_max_deg"}
 WORDS = {"drag_max": "drag, largest", "drag_rms": "drag, rms", "bubble_max": "length of the wake",
@@ -15,15 +16,16 @@ WORDS = {"drag_max": "drag, largest", "drag_rms": "drag, rms", "bubble_max": "le
          "mean_drag_max": "mean drag", "mean_lift_max": "mean lift",
          "strouhal_max": "Strouhal number", "quadrupole_max": "quadrupole",
          "separation_max": "distance of the vortices"}
+CLOCKS = {"seconds": "wall time  [s]", "processor_seconds": "time of one processor  [s]"}
 LOOKS = [(BLUE, "o"), (ORANGE, "s"), (GREEN, "D"), (RED, "^"), (SKY, "v"), (GREY, "P")]
 
 
 def draw(run):
     path = run.file("sweep.csv")
     notes, rows = read(path)
-    names = list(rows[0])
-    keys = names[:names.index("steps")]
-    errors = [name for name in names if name not in NOT_ERRORS and name not in keys
+    rows = medians(rows)
+    keys, clock = keys_of(rows), clock_of(notes)
+    errors = [name for name in rows[0] if name not in NOT_ERRORS and name not in keys
               and any(usable(number(row[name])) for row in rows)]
     if not errors:
         raise Nothing
@@ -33,21 +35,23 @@ def draw(run):
     fig = figure(10.5 if numeric else 6.6, 4.6, title(notes))
     panels = fig.subplots(1, 2 if numeric else 1, squeeze=False)[0]
     if len(curves) > 1:  # one error tells the groups apart
-        shown = [(group.replace("_", " "), members, errors[0]) for group, members in curves]
+        shown = [(NAMES.get(group, group.replace("_", " ")), members, errors[0])
+                 for group, members in curves]
     elif numeric:
         shown = [(said(name), curves[0][1], name) for name in errors[:len(LOOKS)]]
     else:
         shown = [(row[keys[-1]], [row], errors[0]) for row in rows]
     for (label, members, error), (colour, marker) in zip(shown, LOOKS):
         e = np.array([number(row[error]) for row in members])
-        seconds = np.array([number(row["seconds"]) for row in members])
+        seconds = np.array([number(row[clock]) for row in members])
         style = {"color": colour, "marker": marker, "ms": 5}
         if numeric:
             h = np.array([number(row[keys[-1]]) for row in members])
-            panels[0].plot(h, e, label=f"{label}{slope(h, e)}", **style)
+            panels[0].plot(h, e, label=f"{label}{slope(keys[-1], h, e)}", **style)
         panels[-1].plot(e, seconds, label=label, **style)
     what = f"error of the {said(errors[0])}" if len(curves) > 1 else "error"
     finish(panels, keys[-1], numeric, what if numeric else said(errors[0]))
+    panels[-1].set_ylabel(CLOCKS[clock])
     if numeric:
         at_values(panels[0], sorted({number(row[keys[-1]]) for row in rows}))
     panels[0].legend(loc="best", fontsize=9)
@@ -55,30 +59,15 @@ def draw(run):
     return fig
 
 
+def clock_of(notes):
+    """That of the processor where one thread was at work: it stands while others are served."""
+    return "processor_seconds" if notes.get("threads") == "1" else "seconds"
+
+
 def where(notes):
     """The machine, and whether others were at work on it."""
     machine = notes.get("machine", "").split(", Linux")[0]
     return machine + (f"; load {notes['load'].split()[0]}" if "load" in notes else "")
-
-
-def read(path):
-    try:
-        lines = path.read_text().splitlines()
-    except (OSError, UnicodeDecodeError):
-        raise Broken(f"{path}: cannot be read") from None
-    notes = dict(line[2:].split(": ", 1) for line in lines if line.startswith("# ") and ": " in line)
-    rows = list(csv.DictReader((line for line in lines if line and not line.startswith("#")),
-                               quotechar="'"))
-    if not rows:
-        raise Nothing
-    return notes, rows
-
-
-def number(word):
-    try:
-        return float(word)
-    except (TypeError, ValueError):
-        return float("nan")
 
 
 def usable(value):
@@ -93,7 +82,10 @@ def grouped(rows, keys):
     return list(groups.items())
 
 
-def slope(h, e):
+def slope(key, h, e):
+    """Between flows that differ there is no order."""
+    if key.startswith("flow."):
+        return ""
     good = [usable(a) and usable(b) for a, b in zip(h, e)]
     if sum(good) < 2 or np.ptp(np.log(h[good])) == 0:
         return ""
@@ -118,7 +110,7 @@ def finish(panels, key, numeric, error):
     if numeric:
         panels[0].set(xscale="log", yscale="log", xlabel=key, ylabel=error)
     last = panels[-1]
-    last.set(xscale="log", yscale="log", xlabel=error, ylabel="wall time  [s]")
+    last.set(xscale="log", yscale="log", xlabel=error)
     last.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     last.yaxis.set_major_formatter(FuncFormatter(lambda seconds, _: f"{seconds:g}"))
     last.yaxis.set_minor_formatter(NullFormatter())

@@ -103,7 +103,8 @@ void add_run(CLI::App& program, Words& words) {
   add_threads(command, words);
   command.footer(
       "example: vortree run cylinder_re550 time.end=1 --out runs/short\n"
-      "a list runs one after the other: vortree run lamb_oseen cores.sigma_max=0.06,0.05");
+      "a list runs one after the other: vortree run lamb_oseen cores.sigma_max=0.06,0.05\n"
+      "and so do methods: vortree run cylinder method=vortex,sph flow.reynolds=20,40,100");
 }
 
 void add_check(CLI::App& program, Words& words) {

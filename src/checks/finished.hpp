@@ -20,6 +20,12 @@ struct Finished {
   HistoryRows rows;
 };
 
+/// What a flow comes to that is to be held against a reference of its Reynolds number, if there is
+/// none.
+inline Reached without_reference() {
+  return {.value = {}, .why = "there is no reference for this Reynolds number"};
+}
+
 /// Adds a verdict for each thing that the scene asks and this check knows.
 using Check = void (*)(std::vector<Verdict>& list, const Finished& run);
 

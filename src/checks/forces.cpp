@@ -81,6 +81,13 @@ Reached early_drag_off(const Finished& run) {
   return {std::abs(deviation(ours, exact))};
 }
 
+void add_without_reference(std::vector<Verdict>& list, const io::CheckSettings& c) {
+  add(list, "drag_max", c.drag_max, without_reference);
+  add(list, "drag_rms", c.drag_rms, without_reference);
+  add(list, "bubble_max", c.bubble_max, without_reference);
+  add(list, "separation_max_deg", c.separation_max_deg, without_reference);
+}
+
 }  // namespace
 
 void check_drag(std::vector<Verdict>& list, const Finished& run) {
@@ -88,6 +95,7 @@ void check_drag(std::vector<Verdict>& list, const Finished& run) {
   const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
   if (!run.scales.body || !c.drag_reference) return;
+  if (io::lacks_reference(scene, *c.drag_reference)) return add_without_reference(list, c);
   const io::Table reference(io::reference_path(scene, *c.drag_reference));
   const Deviation drag = off(rows, drag_of(run), {reference, "C_D"}, deviation);
   add(list, "drag_max", c.drag_max, [&] { return rows.largest(c.drag_from, drag); });

@@ -182,6 +182,11 @@ void check_moments(std::vector<Verdict>& list, const Finished& run) {
   const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
   if (!c.moments_reference) return;
+  if (io::lacks_reference(scene, *c.moments_reference)) {
+    add(list, "quadrupole_max", c.quadrupole_max, without_reference);
+    add(list, "separation_max", c.separation_max, without_reference);
+    return;
+  }
   const io::Table reference(io::reference_path(scene, *c.moments_reference));
   add(list, "quadrupole_max", c.quadrupole_max, [&] {
     return moments_off(rows, reference, {"quadrupole_xx", "quadrupole_xy"});

@@ -50,11 +50,18 @@ Series wall_deviations(const io::Scene& scene, const std::filesystem::path& fold
   return deviations;
 }
 
+void add_without_reference(std::vector<Verdict>& list, const io::CheckSettings& c) {
+  add(list, "wall_vorticity_max", c.wall_vorticity_max, without_reference);
+  add(list, "wall_vorticity_rms", c.wall_vorticity_rms, without_reference);
+}
+
 }  // namespace
 
 void check_wall_vorticity(std::vector<Verdict>& list, const Finished& run) {
   const io::CheckSettings& c = run.scene.check;
   if (!run.scales.body || !c.wall_vorticity_reference) return;
+  if (io::lacks_reference(run.scene, *c.wall_vorticity_reference))
+    return add_without_reference(list, c);
   const HistoryRows& rows = run.rows;
   const Series off = wall_deviations(run.scene, run.folder, run.scales);
   const auto reached = [&](double number) -> Reached {

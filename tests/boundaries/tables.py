@@ -9,6 +9,7 @@ import csv
 import hashlib
 import math
 import re
+import statistics
 import sys
 from decimal import Decimal
 from pathlib import Path
@@ -93,7 +94,7 @@ def what_a_digit_costs():
             for name in errors]
     fits[errors.index("separation_max_deg")] = []  # has none
     hold_table("cases/README.md", "| accuracy | drag, largest",
-               [[[row["accuracy"]], *([row[name]] for name in errors), [row["blobs"]], None]
+               [[[row["accuracy"]], *([row[name]] for name in errors), [row["particles"]], None]
                 for row in rows] + [[None, *fits, [], []]])
     drag = {row["accuracy"]: [row["drag_rms"], row["drag_max"]] for row in rows}
     front = table("README.md", "| | accurate to | in |")
@@ -110,12 +111,65 @@ def cylinder_by_sph():
     fits = [[order([row["accuracy"] for row in rows], [row[name] for row in rows])]
             for name in errors]
     hold_table("cases/README.md", "| accuracy | spacing",
-               [[[row["accuracy"]], None, *([row[name]] for name in errors), [row["blobs"]], None]
+               [[[row["accuracy"]], None, *([row[name]] for name in errors), [row["particles"]], None]
                 for row in rows] + [[None, [], *fits, [], []]])
     row = next(row for row in rows if row["accuracy"] == "0.005")
     for cells in table("README.md", "| | accurate to | in |"):
         if cells[0].startswith(" drag at Re = 20 by SPH"):
             hold("README.md: SPH", cells[1], [row["drag_rms"], row["drag_max"]])
+
+
+METHODS = "cases/methods.md"
+
+
+def held_against_the_reference():
+    """One scene by both methods: cases/methods.md."""
+    rows = sorted(read("cases/methods.csv") + read("cases/methods_thin.csv"),
+                  key=lambda row: float(row["flow.reynolds"]))
+    errors = ("drag_max", "drag_rms", "separation_max_deg")
+    hold_table(METHODS, "| Re | accuracy | method",
+               [[[row["flow.reynolds"]], None, [], *([row[name]] for name in errors),
+                 [row["particles"]], [row["processor_seconds"]]] for row in rows])
+
+
+def accuracy_by_second():
+    """The medians of runs by turns: cases/methods.md."""
+    same = {}
+    for row in read("plots/gallery/methods/sweep.csv"):
+        same.setdefault((row["accuracy"], row["method"]), []).append(row)
+    ordered = sorted(same, key=lambda key: -float(key[0]))
+    told = ("drag_max", "drag_rms", "separation_max_deg", "particles", "processor_seconds")
+    hold_table(METHODS, "| accuracy | method",
+               [[[key[0]], [], *([statistics.median(float(row[name]) for row in same[key])]
+                                 for name in told)] for key in ordered])
+
+
+def long_runs():
+    rows = read("cases/methods_long.csv")
+    ends = [row["time.end"] for row in rows if row["method"] == "vortex"]
+    cells = {(row["method"], row["time.end"]): row for row in rows}
+    hold_table(METHODS, "| to t |",
+               [[[end], *([cells[method, end][name]] for method in ("vortex", "sph")
+                          for name in ("particles", "processor_seconds"))] for end in ends])
+
+
+def what_is_paid_for():
+    """Shares of the phases, particles and memory: cases/methods.md."""
+    paid = {}
+    for row in read("cases/methods_phases.csv"):
+        paid.setdefault(row["method"], {})[row["what"]] = float(row["number"])
+    for method, told in paid.items():
+        phases = {what: number for what, number in told.items() if what.startswith("seconds ")}
+        whole = sum(phases.values())
+        hold_table(METHODS, f"| by {method} |", [[[], [number / whole], None]
+                                                for number in phases.values()])
+    both = [paid["vortex"], paid["sph"]]
+    hold_table(METHODS, "| Re = 20, `accuracy=0.005` |",
+               [[[], *([told["particles"]] for told in both)],
+                [[], *([told["steps"]] for told in both)],
+                [[], *([told["processor_seconds"]] for told in both)],
+                [[], *([1e6 * told["processor_seconds"] / told["particle_steps"]] for told in both)],
+                [[], *([1e-6 * told["peak_bytes"]] for told in both)]])
 
 
 def three_ways_to_diffuse():
@@ -214,6 +268,10 @@ def gallery():
 
 what_a_digit_costs()
 cylinder_by_sph()
+held_against_the_reference()
+accuracy_by_second()
+long_runs()
+what_is_paid_for()
 three_ways_to_diffuse()
 found, asked = reached()
 cylinder_at_550(found, asked)

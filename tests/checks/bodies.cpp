@@ -105,6 +105,17 @@ TEST_CASE("a reference without values at these times is said to have none") {
   CHECK(verdict.reached.why == "the reference has no values for these times");
 }
 
+TEST_CASE("what is held against a reference that this Reynolds number lacks is not reached") {
+  for (const std::string check : {"drag_max", "drag_rms", "bubble_max", "separation_max_deg"}) {
+    const checks::Verdict verdict =
+        held(check + "=0.02",
+             {"flow.nu=0.05", "flow.reynolds=20", "check.drag_reference='known_{reynolds}.csv'"})
+            .verdict(60);
+    CHECK_FALSE(verdict.reached.value);
+    CHECK(verdict.reached.why == "there is no reference for this Reynolds number");
+  }
+}
+
 TEST_CASE("a reference of zero is compared with as it is") {
   MadeUpRun run = held("separation_max_deg=0.5", {"check.drag_reference=known.csv"});
   CHECK(run.verdict(5).passed());  // 0 of 0

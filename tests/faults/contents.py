@@ -32,6 +32,8 @@ def datasets(file, keep=lambda name, values: values):
     found = {}
 
     def visit(name, thing):
+        if name.endswith("/total processor_seconds"):
+            return
         if isinstance(thing, h5py.Dataset):
             inside = name.split("/", 1)[1]
             values = np.asarray(keep(inside, thing[()]))
@@ -47,7 +49,8 @@ def datasets(file, keep=lambda name, values: values):
 
 def summary_of(folder):
     told = json.loads((folder / "summary.json").read_text())
-    for name in ("seconds", "particle_steps_per_second", "peak_bytes", "scene", "threads"):
+    for name in ("seconds", "processor_seconds", "particle_steps_per_second", "peak_bytes", "scene",
+                 "threads"):
         told.pop(name, None)
     return told
 

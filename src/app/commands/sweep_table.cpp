@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,10 +52,16 @@ struct ErrorCurve {
   std::vector<double> h, e;
 };
 
-ErrorCurve curve(std::span<const Member> members, const std::string& what) {
+/// Another value of it is another flow, not the same one finer: between those there is no order.
+bool tells_the_flow(std::string_view key) {
+  return key.starts_with("flow.") || key == "seed";
+}
+
+ErrorCurve curve(const SweepPlan& plan, std::span<const Member> members, const std::string& what) {
+  const bool flows = tells_the_flow(plan.axes.back().key);
   ErrorCurve c;
   for (const Member& m : members) {
-    c.h.push_back(number_or_nan(m.values.back()));
+    c.h.push_back(flows ? unknown : number_or_nan(m.values.back()));
     c.e.push_back(reached(m, what));
   }
   return c;
@@ -82,12 +89,13 @@ RowCells row_of(const Member& m, std::span<const std::string> errors,
 }
 
 /// The orders that fit all of a group; nothing where there is none.
-RowCells fitted_row(std::span<const Member> group, std::span<const std::string> errors,
-                    std::size_t axes) {
+RowCells fitted_row(const SweepPlan& plan, std::span<const Member> group,
+                    std::span<const std::string> errors) {
+  const std::size_t axes = plan.axes.size();
   RowCells fitted(axes + 3 + 2 * errors.size());
   bool any = false;
   for (std::size_t k = 0; k < errors.size(); ++k) {
-    const ErrorCurve c = curve(group, errors[k]);
+    const ErrorCurve c = curve(plan, group, errors[k]);
     const double order = group.size() < 3 ? unknown : checks::fitted_order(c.h, c.e);
     fitted[axes + 4 + 2 * k] = text(order, "{:.2f}");
     any = any || std::isfinite(order);
@@ -130,19 +138,19 @@ std::string table(const SweepPlan& plan, std::span<const Member> members) {
   const RowCells errors = errors_of(members);
   RowCells headings;
   for (const Axis& axis : plan.axes) headings.push_back(axis.key);
-  headings.insert(headings.end(), {"steps", "blobs", "seconds"});
+  headings.insert(headings.end(), {"steps", "particles", "seconds"});
   for (const std::string& what : errors) headings.insert(headings.end(), {what, "order"});
   std::vector<RowCells> rows;
   for (const auto& [first, last] : groups(plan, members.size())) {
     const auto group = members.subspan(first, last - first);
     std::vector<std::vector<double>> order;
     for (const std::string& what : errors) {
-      const ErrorCurve c = curve(group, what);
+      const ErrorCurve c = curve(plan, group, what);
       order.push_back(checks::orders(c.h, c.e));
     }
     for (std::size_t i = 0; i < group.size(); ++i)
       rows.push_back(row_of(group[i], errors, order, i));
-    RowCells fitted = fitted_row(group, errors, plan.axes.size());
+    RowCells fitted = fitted_row(plan, group, errors);
     if (!fitted.empty()) rows.push_back(std::move(fitted));
   }
   return checks::text_table(headings, rows);
@@ -153,21 +161,23 @@ void write_csv(const std::filesystem::path& file, const RunOptions& options, con
   std::ostringstream out;
   const RowCells errors = errors_of(members);
   out << fmt::format("# scene: {} {}\n", options.scene, fmt::join(plan.fixed, " "));
+  out << fmt::format("# threads: {}\n", omp_get_max_threads());
   for (const std::string& line : provenance()) out << "# " << line << "\n";
   const auto ran = std::ranges::find_if(members, [](const Member& m) { return m.failure.empty(); });
   if (ran != members.end())
     for (const checks::Verdict& v : ran->result.verdicts)
       out << fmt::format("# asked: {} {}\n", v.what, v.asked);
   for (const Axis& axis : plan.axes) out << axis.key << ",";
-  out << fmt::format("steps,blobs,particle_steps,seconds{}{}\n", errors.empty() ? "" : ",",
-                     fmt::join(errors, ","));
+  out << fmt::format("steps,particles,particle_steps,seconds,processor_seconds{}{}\n",
+                     errors.empty() ? "" : ",", fmt::join(errors, ","));
   for (const Member& m : members) {
     for (const std::string& value : m.values) out << cell(value) << ",";
     const RunResult& r = m.result;
     if (m.failure.empty())
-      out << fmt::format("{},{},{},{}", r.steps, r.most_particles, r.particle_steps, r.seconds);
+      out << fmt::format("{},{},{},{},{}", r.steps, r.most_particles, r.particle_steps, r.seconds,
+                         r.processor_seconds);
     else
-      out << ",,,";
+      out << ",,,,";
     for (const std::string& what : errors) out << "," << text(reached(m, what), "{}");
     out << "\n";
   }

@@ -57,11 +57,14 @@ class Run {
   void observe();
   [[noreturn]] void give_up(long failed, const std::string& reason);
   std::string kept() const;
+  Totals totals_so_far() const;
   RunResult finish();
   Rows::Write writer() {
     return [this](const std::vector<double>& row) { files_.row(row); };
   }
 
+  Stopwatch watch_;
+  double processor_start_ = processor_seconds();
   io::Scene scene_;
   fs::path folder_;
   bool figures_;
@@ -71,7 +74,6 @@ class Run {
   Rows rows_;
   RunFiles files_;
   Totals totals_;
-  Stopwatch watch_;
   Stopwatch::Phases before_step_;
   long saved_step_ = -1;
 };
@@ -133,6 +135,13 @@ std::string Run::kept() const {
                      (folder_ / "frames.h5").string());
 }
 
+Totals Run::totals_so_far() const {
+  Totals now = totals_;
+  now.seconds += watch_.elapsed();
+  now.processor_seconds += processor_seconds() - processor_start_;
+  return now;
+}
+
 void Run::advance() {
   try {
     solver_->step([this](std::string_view phase) { watch_.begin(phase); });
@@ -151,7 +160,7 @@ void Run::save() {
   flow::State state;
   solver_->save(state);
   rows_.save(state);
-  totals_.save(state, totals_.seconds + watch_.elapsed());
+  totals_so_far().save(state);
   try {
     files_.frame(std::move(state));
   } catch (const flow::Diverged& bad) {
@@ -194,7 +203,7 @@ RunResult Run::finish() {
   rows_.finish(writer());
   files_.end();
   const std::vector<checks::Verdict> list = checks::verdicts(scene_, folder_, *solver_, scales_);
-  totals_.seconds += watch_.elapsed();
+  totals_ = totals_so_far();
   io::write_text(folder_ / "summary.json",
                  summary(scene_, folder_, *solver_, rows_.phases(), totals_, list));
   if (figures_) plot(folder_);
@@ -208,7 +217,8 @@ RunResult Run::finish() {
           .steps = step(),
           .most_particles = totals_.most_particles,
           .particle_steps = totals_.particle_steps,
-          .seconds = totals_.seconds};
+          .seconds = totals_.seconds,
+          .processor_seconds = totals_.processor_seconds};
 }
 
 /// A run that is resumed keeps the step that was chosen for it, whatever its end is by now.

@@ -22,12 +22,12 @@ struct RunOptions {
 /// What came of a run.
 ///
 /// finished  false: the user stopped it, it can be resumed
-/// seconds   wall time of all its parts
+/// seconds   wall time of all its parts; processor_seconds: what all threads have worked
 struct RunResult {
   bool finished = false;
   std::vector<checks::Verdict> verdicts{};
   long steps = 0;
-  double most_particles = 0, particle_steps = 0, seconds = 0;
+  double most_particles = 0, particle_steps = 0, seconds = 0, processor_seconds = 0;
 
   /// It came to its end and missed nothing that was asked and could be seen by then.
   bool passed() const;

@@ -40,16 +40,18 @@ Json check(std::span<const checks::Verdict> verdicts) {
 
 }  // namespace
 
-void Totals::save(flow::State& state, double now) const {
+void Totals::save(flow::State& state) const {
   state["total particle_steps"] = {particle_steps};
   state["total most_particles"] = {most_particles};
-  state["total seconds"] = {now};
+  state["total seconds"] = {seconds};
+  state["total processor_seconds"] = {processor_seconds};
 }
 
 void Totals::restore(const flow::State& state) {
   particle_steps = flow::saved_number(state, "total particle_steps");
   most_particles = flow::saved_number(state, "total most_particles");
   seconds = flow::saved_number(state, "total seconds");
+  processor_seconds = flow::saved_number(state, "total processor_seconds");
 }
 
 std::string summary(const io::Scene& scene, const std::filesystem::path& folder,
@@ -66,6 +68,7 @@ std::string summary(const io::Scene& scene, const std::filesystem::path& folder,
   json["largest_" + solver.particle() + "_count"] = std::llround(totals.most_particles);
   json["particle_steps"] = std::llround(totals.particle_steps);
   json["particle_steps_per_second"] = totals.particle_steps / totals.seconds;
+  json["processor_seconds"] = totals.processor_seconds;
   json["peak_bytes"] = peak_bytes();
   json["largest_drift"] = solver.drift();
   json["seconds"]["total"] = totals.seconds;

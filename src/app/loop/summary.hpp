@@ -11,10 +11,9 @@ namespace vortree::app {
 
 /// Numbers of a whole run, over all its resumptions.
 struct Totals {
-  double particle_steps = 0, most_particles = 0, seconds = 0;
+  double particle_steps = 0, most_particles = 0, seconds = 0, processor_seconds = 0;
 
-  /// now  seconds so far
-  void save(flow::State& state, double now) const;
+  void save(flow::State& state) const;
   void restore(const flow::State& state);
 };
 

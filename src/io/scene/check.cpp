@@ -151,8 +151,10 @@ void read_columns(const std::filesystem::path& path, const Reference& reference,
 
 void require_reference(const Document& document, const Scene& scene, const Reference& reference) {
   const std::optional<std::string>& written = scene.check.*reference.written;
-  if (!written) return;
+  if (!written || lacks_reference(scene, *written)) return;
   try {
+    if (written->find(by_reynolds) != std::string::npos && !scene.flow.reynolds)
+      throw InputError(fmt::format("{} needs flow.reynolds", by_reynolds));
     read_columns(reference_path(scene, *written), reference, scene.check);
   } catch (const InputError& broken) {
     document.refuse(reference.key, fmt::format("{} is {}; {}", reference.key,
@@ -199,7 +201,8 @@ Key file(std::string_view name, std::optional<std::string>& target, std::string 
 std::vector<Key> against_references(CheckSettings& c) {
   return {file("drag_reference", c.drag_reference,
                "CSV file of T and C_D, of L_over_D and sep_deg if they are checked; its place is "
-               "as seen from the scene's"),
+               "as seen from the scene's; `{reynolds}` in the name of a reference is the value of "
+               "`flow.reynolds`, and a flow that has no such file is not held against it"),
           most("drag_max", c.drag_max, "drag: largest deviation, relative"),
           most("drag_rms", c.drag_rms, "drag: root mean square of the deviation, relative"),
           from("drag_from", c.drag_from, "drag counts from this T = 2 U t/D on, 0 if not written"),

@@ -118,7 +118,14 @@ bool operator==(const Scene&, const Scene&);
 /// compute it; parse_scene(resolved(s), s.origin.path, s.methods) == s.
 [[nodiscard]] std::string resolved(const Scene&);
 
+/// Stands for the value of flow.reynolds in the name of a reference file.
+inline constexpr std::string_view by_reynolds = "{reynolds}";
+
 /// Where a reference file of [check] lies: relative to the folder of the scene file.
 [[nodiscard]] std::filesystem::path reference_path(const Scene&, std::string_view written);
+
+/// Whether a reference is named by the Reynolds number, and has no file for that of the scene: then
+/// what is held against it is not reached.
+[[nodiscard]] bool lacks_reference(const Scene&, std::string_view written);
 
 }  // namespace vortree::io

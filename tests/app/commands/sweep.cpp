@@ -90,8 +90,8 @@ TEST_CASE("a sweep runs the list into folders, and measures the order of the tim
   CHECK(fits[0] == Approx(5).margin(0.3));
   CHECK(fits[1] == Approx(3).margin(0.3));
   const std::string csv = text_of(folder / "runs/vortex/sweep.csv");
-  CHECK(csv.find("\ntime.scheme,time.dt,steps,blobs,particle_steps,seconds,second_moment_max\n") !=
-        std::string::npos);
+  CHECK(csv.find("\ntime.scheme,time.dt,steps,particles,particle_steps,seconds,processor_seconds,"
+                 "second_moment_max\n") != std::string::npos);
   CHECK(csv.find("\nrk2,0.01,8,") != std::string::npos);
 }
 
@@ -108,16 +108,16 @@ TEST_CASE("the table has gaps for what was not reached, for runs that failed and
   const checks::Reached late{.value = {}, .why = "the run ends at T = 1"};
   std::vector<app::Member> members{run("1", {0.1}, 0.1), run("2", late, 0.4), run("4", {0.9}, NAN)};
   CHECK(app::table(plan, members) ==
-        "  k  steps  blobs  seconds  a_max  order  b_max  order\n"
-        "  1      5      7        1    0.1           0.1       \n"
-        "  2      5      7        1                  0.4   2.00\n"
-        "  4      5      7        1    0.9                     \n"
-        "all                                 1.58          2.00\n");
+        "  k  steps  particles  seconds  a_max  order  b_max  order\n"
+        "  1      5          7        1    0.1           0.1       \n"
+        "  2      5          7        1                  0.4   2.00\n"
+        "  4      5          7        1    0.9                     \n"
+        "all                                     1.58          2.00\n");
   CHECK(app::what_went_wrong(plan, members) ==
         "0 of 3 runs failed, 1 missed their checks: k=4 missed its check: a_max 0.9 of 0.5, b_max "
         "not finite of 0.5");
   members[1] = {.values = {"2"}, .failure = "step 3: too many"};
-  CHECK(app::table(plan, members).find("\n  2  failed                 ") != std::string::npos);
+  CHECK(app::table(plan, members).find("\n  2  failed                     ") != std::string::npos);
   CHECK(app::what_went_wrong(plan, members)
             .starts_with("1 of 3 runs failed, 1 missed their checks: k=2 failed: step 3: too many; "
                          "k=4 missed"));
@@ -147,7 +147,7 @@ TEST_CASE("a sweep of which a run fails or misses its check runs the others, and
   CHECK(last_line(failing.out)
             .starts_with("1 of 2 runs failed, 0 missed their checks: time.dt=0.02 failed: "));
   CHECK(fs::exists(folder / "failing/time.dt=0.04/summary.json"));
-  CHECK(text_of(folder / "failing/sweep.csv").find("\n0.02,,,,,\n0.04,2,") != std::string::npos);
+  CHECK(text_of(folder / "failing/sweep.csv").find("\n0.02,,,,,,\n0.04,2,") != std::string::npos);
 
   const std::string missing =
       "run vortex.toml time.dt=0.02,0.04 --out missing velocity.method=direct "
@@ -161,6 +161,63 @@ TEST_CASE("a sweep of which a run fails or misses its check runs the others, and
   CAPTURE(again.err);
   CHECK(again.code == 0);
   CHECK(last_line(again.out).starts_with("results in "));
+}
+
+namespace {
+
+const std::string two_methods = R"(
+accuracy = 0.1
+[flow]
+reynolds = 20
+stream = [1.0, 0.0]
+[body]
+radius = 0.5
+[sph]
+rings = 3
+[splitting]
+children = 5
+[time]
+end = 0.06
+[check]
+lift_max = 1
+)";
+
+/// The cells of the line that begins so.
+std::vector<double> numbers_behind(const std::string& begin, const std::string& csv) {
+  std::vector<double> numbers;
+  const auto at = csv.find(begin);
+  if (at == std::string::npos) return numbers;
+  std::istringstream cells(
+      csv.substr(at + begin.size(), csv.find('\n', at + 1) - at - begin.size()));
+  for (std::string cell; std::getline(cells, cell, ',');) numbers.push_back(std::stod(cell));
+  return numbers;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "methods are swept as any key: each chooses by the accuracy, and reads the others' tables") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("cylinder.toml", two_methods);
+  const auto outcome = call("run cylinder.toml method=vortex,sph flow.reynolds=20,30", folder);
+  CAPTURE(outcome.out, outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.find("all") == std::string::npos);  // flows that differ have no order
+  const std::string csv = text_of(folder / "runs/cylinder/sweep.csv");
+  const auto vortices = numbers_behind("\nvortex,30,", csv), sph = numbers_behind("\nsph,30,", csv);
+  REQUIRE(vortices.size() == 6);  // steps, particles, particle_steps, two of seconds, lift_max
+  REQUIRE(sph.size() == 6);
+  for (const double number : sph) CHECK(number > 0);
+  CHECK(sph[1] > vortices[1]);  // its particles fill the box
+  for (const char* method : {"vortex", "sph"})
+    CHECK(text_of(folder / ("runs/cylinder/method=" + std::string(method) +
+                            ",flow.reynolds=30/summary.json"))
+              .find("\"method\": \"" + std::string(method) + "\"") != std::string::npos);
+  const auto refused = call("run cylinder.toml method=vortex,sph sph.rings=0 --out other", folder);
+  CHECK(refused.code == 2);
+  CHECK(refused.error_lines() == 1);
+  CHECK_FALSE(fs::exists(folder / "other"));
 }
 
 TEST_CASE("a sweep that is stopped says where, leaves 1, and goes on from there") {

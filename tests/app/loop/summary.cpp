@@ -38,7 +38,8 @@ std::string summary_of(const std::string& title, std::span<const checks::Verdict
   scene.origin.path = "b\xfc.toml";  // Latin-1
   scene.title = title;
   scene.method = "still";
-  const app::Totals totals{.particle_steps = 6e15, .most_particles = 2, .seconds = 0.8};
+  const app::Totals totals{
+      .particle_steps = 6e15, .most_particles = 2, .seconds = 0.8, .processor_seconds = 1.5};
   const std::string page = app::summary(scene, folder.path(), Still(),
                                         std::array{std::string("rest")}, totals, verdicts);
   const std::regex of_the_machine("(\"(?:version|threads|peak_bytes)\": )[^,]+");
@@ -61,6 +62,7 @@ TEST_CASE("the summary is a page of JSON in the order of its making; what is not
   "largest_spot_count": 2,
   "particle_steps": 6000000000000000,
   "particle_steps_per_second": 7.5e+15,
+  "processor_seconds": 1.5,
   "peak_bytes": ...,
   "largest_drift": null,
   "seconds": {

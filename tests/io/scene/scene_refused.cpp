@@ -190,6 +190,30 @@ TEST_CASE("a reference file is looked for beside the scene, and must be there") 
   CHECK(reference_path(scene, *scene.check.drag_reference) == file);
 }
 
+TEST_CASE("a reference may be named by the Reynolds number, which need not be known") {
+  const Sandbox box;
+  const auto path =
+      box.write("scene.toml",
+                "[flow]\nreynolds = 20.0\nstream = [1, 0]\n[body]\nradius = 0.5\n"
+                "[cores]\nsigma_0 = 0.05\nsigma_max = 0.1\n[time]\ndt = 0.01\nend = 2\n"
+                "[check]\ndrag_reference = \"drag_re{reynolds}.csv\"\ndrag_max = 0.1\n");
+  const std::string written = "drag_re{reynolds}.csv";
+  const auto with = [&](const std::string& override) {
+    return load_scene(path, by_vortices(), std::vector<std::string>{override});
+  };
+  box.write("drag_re20.csv", "T,C_D\n");
+  box.write("drag_re40.5.csv", "T,C_L\n");
+  const Scene known = with("flow.reynolds=2e1"), unknown = with("flow.reynolds=30");
+  CHECK(reference_path(known, written) == box / "drag_re20.csv");
+  CHECK_FALSE(lacks_reference(known, written));
+  CHECK(known.check.drag_reference == written);
+  CHECK(lacks_reference(unknown, written));
+  CHECK_FALSE(lacks_reference(unknown, "drag_re30.csv"));
+  CHECK_THAT(refusal([&] { (void)with("flow.reynolds=40.5"); }), Contains("no column C_D"));
+  CHECK_THAT(refused(plain, {"check.drag_reference='" + written + "'"}),
+             EndsWith("{reynolds} needs flow.reynolds"));
+}
+
 TEST_CASE("a reference file is a table with the columns that the check asks for") {
   const Sandbox box;
   const std::string body =

@@ -46,7 +46,7 @@ TEST_CASE("stencils have the same bits by every method and with any skin, if row
     std::vector<OperatorOptions> ways;
     for (const auto& maker : neighbors::makers())
       for (const double skin : {0.0, 0.3, 1.0})
-        ways.push_back({2, 2.8, period, {maker.method, true, skin}});
+        ways.push_back({.period = period, .neighbors = {maker.method, true, skin}});
     std::vector<Stencils> stencils(ways.size());
     for (int step = 0; step < 8; ++step) {
       std::vector<double> first;
