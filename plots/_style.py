@@ -134,11 +134,12 @@ class Run:
 
     @property
     def speed(self):
-        """Of the stream; without one the greatest of the plunge, or 1, as in the program's
-        coefficients."""
+        """Of the stream; without one the greatest of the plunge, that of an initial flow that fills
+        the plane, or 1, as in the program's coefficients."""
         plunge = self.scene.get("plunge", {"amplitude": 0, "frequency": 0})
         fastest = 2 * np.pi * plunge["frequency"] * plunge["amplitude"]
-        return float(np.hypot(*self.stream)) or fastest or 1.0
+        initial = self.scene.get("initial", {}).get("speed", 1.0)
+        return float(np.hypot(*self.stream)) or fastest or initial
 
     @property
     def body(self):

@@ -9,13 +9,15 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 NOT_ERRORS = {"steps", "particles", "particle_steps", "seconds", "processor_seconds", "blobs_max",
               "lift_max"}
 # Shown where nothing else is: drifts of what is kept, and an error that is no share.
-SECOND = {"circulation_max", "impulse_max", "second_moment_max", "separation_max_deg"}
+SECOND = {"circulation_max", "impulse_max", "second_moment_max", "separation_max_deg",
+          "volume_max", "momentum_max"}
 WORDS = {"drag_max": "drag, largest", "drag_rms": "drag, rms", "bubble_max": "length of the wake",
          "routes_max": "two drag routes apart", "wall_vorticity_rms": "vorticity at the wall",
          "lift_routes_max": "two lift routes apart", "separation_max_deg": "separation  [deg]",
          "mean_drag_max": "mean drag", "mean_lift_max": "mean lift",
          "strouhal_max": "Strouhal number", "quadrupole_max": "quadrupole",
-         "separation_max": "distance of the vortices"}
+         "separation_max": "distance of the vortices", "velocity_rms": "velocity, rms",
+         "pressure_rms": "pressure, rms"}
 CLOCKS = {"seconds": "wall time  [s]", "processor_seconds": "time of one processor  [s]"}
 LOOKS = [(BLUE, "o"), (ORANGE, "s"), (GREEN, "D"), (RED, "^"), (SKY, "v"), (GREY, "P")]
 

@@ -99,11 +99,20 @@ template <Worded E>
           }};
 }
 
+struct Key;
+
+/// A place for tables one after another, `[[sph.region]]`, each with the same keys.
+struct ListOfTables {
+  std::function<std::size_t()> size;
+  std::function<void(std::size_t)> resize;  ///< new ones have their defaults
+  std::function<std::vector<Key>(std::size_t number)> keys;
+};
+
 /// Where the value of a key lives.
-using Target =
-    std::variant<bool*, double*, int*, std::int64_t*, std::string*, std::vector<double>*,
-                 std::array<double, 2>*, std::array<double, 4>*, std::optional<double>*,
-                 std::optional<std::string>*, std::optional<std::array<double, 4>>*, OneOf>;
+using Target = std::variant<bool*, double*, int*, std::int64_t*, std::string*, std::vector<double>*,
+                            std::array<double, 2>*, std::array<double, 4>*, std::optional<double>*,
+                            std::optional<std::string>*, std::optional<std::array<double, 4>>*,
+                            OneOf, ListOfTables>;
 
 /// A key of a table. It is good as long as the table that it was made of stays where it is.
 ///
@@ -127,6 +136,15 @@ template <class T>
   } else {
     return {name, &value, rule, unit, std::move(says)};
   }
+}
+
+/// A list of tables of settings, whose keys their own function `keys` tells.
+template <class Settings>
+[[nodiscard]] Key list(std::string_view name, std::vector<Settings>& all, std::string says) {
+  return {name,
+          ListOfTables{[&all] { return all.size(); }, [&all](std::size_t n) { all.resize(n); },
+                       [&all](std::size_t number) { return keys(all[number]); }},
+          anything, "", std::move(says)};
 }
 
 /// A word: any of those that its enumeration has.

@@ -9,6 +9,7 @@
 #include "checks/finished.hpp"
 #include "checks/forces.hpp"
 #include "checks/free_space.hpp"
+#include "checks/periodic_flow.hpp"
 #include "checks/plunge.hpp"
 #include "checks/shedding.hpp"
 #include "checks/spin.hpp"
@@ -28,7 +29,7 @@ void check_count(std::vector<Verdict>& list, const Finished& run) {
 constexpr Check all[] = {check_drag,      check_early_drag, check_forces,         check_shedding,
                          check_plunge,    check_spin,       check_wall_vorticity, check_lamb_oseen,
                          check_kirchhoff, check_merger,     check_dipole,         check_moments,
-                         check_energy,    check_invariants, check_count};
+                         check_energy,    check_invariants, check_periodic_flow,  check_count};
 
 }  // namespace
 

@@ -17,7 +17,7 @@ void check_lamb_oseen(std::vector<Verdict>& list, const Finished& run) {
   const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
   if (c.exact != io::ExactAnswer::lamb_oseen || !scene.initial || rows.T().empty()) return;
-  const exact::LambOseen vortex{scene.initial->circulation, scene.initial->core, scene.flow.nu};
+  const exact::LambOseen vortex{*scene.initial->circulation, *scene.initial->core, scene.flow.nu};
   const double t = rows.column("t").back();
   const auto [u0, v0] = scene.flow.stream;
   const Vec2 centre{scene.initial->centre[0] + t * u0, scene.initial->centre[1] + t * v0};
@@ -56,7 +56,7 @@ void check_invariants(std::vector<Verdict>& list, const Finished& run) {
   const Series gamma = rows.column("circulation"), x = rows.column("impulse_x"),
                y = rows.column("impulse_y"), second = rows.column("second_moment"),
                t = rows.column("t");
-  const double length = scales.body ? scales.length : scene.initial ? scene.initial->core : 1;
+  const double length = scales.body ? scales.length : scene.initial ? *scene.initial->core : 1;
   // Of opposite vortices, that of one sign; known to who has no body.
   double unit = scales.body ? scales.speed * scales.length
                             : std::max(std::abs(gamma[0]), rows.column("circulation_plus")[0]);
@@ -103,7 +103,7 @@ void check_kirchhoff(std::vector<Verdict>& list, const Finished& run) {
   if (scene.check.exact != io::ExactAnswer::kirchhoff_ellipse) return;
   const HistoryRows& rows = run.rows;
   const flow::InitialSettings& i = *scene.initial;
-  const exact::KirchhoffEllipse ellipse{i.circulation, i.core, i.number("core_across")};
+  const exact::KirchhoffEllipse ellipse{*i.circulation, *i.core, i.number("core_across")};
   add(list, "rotation_max", scene.check.rotation_max, [&]() -> Reached {
     const Series angle = turned(rows), t = rows.column("t");
     if (angle.size() < 2) return rows.too_short();
@@ -115,7 +115,7 @@ namespace {
 
 exact::VortexPair pair_of(const io::Scene& scene) {
   const flow::InitialSettings& i = *scene.initial;
-  return {i.circulation, i.core, i.number("separation"), scene.flow.nu};
+  return {*i.circulation, *i.core, i.number("separation"), scene.flow.nu};
 }
 
 }  // namespace

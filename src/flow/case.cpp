@@ -92,13 +92,15 @@ void choose_viscosity(Case& of, const Written& written) {
     if (!given) throw Refused("flow", "[flow] needs the key nu");
     return;
   }
-  const double speed = speed_of(of);
-  if (!of.body || speed == 0)
+  const auto periodic = periodic_flow_of(of);
+  if (!periodic && (!of.body || speed_of(of) == 0))
     throw Refused("flow.reynolds",
                   fmt::format("flow.reynolds is {}; that needs [body] and a flow.stream, "
                               "[plunge] or motion.spin",
                               *of.flow.reynolds));
-  const double nu = speed * body::length_of(*of.body) / *of.flow.reynolds;
+  const double size =
+      periodic ? periodic->speed * periodic->wavelength : speed_of(of) * body::length_of(*of.body);
+  const double nu = size / *of.flow.reynolds;
   if (given && std::abs(of.flow.nu / nu - 1) > 1e-6)
     throw Refused("flow.reynolds",
                   fmt::format("flow.reynolds is {}, which makes flow.nu {}, but that is {}; "
@@ -118,6 +120,12 @@ void refuse_senseless(const Case& of) {
   if (of.plunge) refuse_plunge(of);
   if (of.motion) refuse_motion(of);
   if (of.initial) refuse(*of.initial);
+  if (of.body && of.initial && of.initial->kind->periodic)
+    throw Refused(
+        "initial.kind",
+        fmt::format("initial.kind is \"{}\"; that fills the plane, and has no place for a "
+                    "[body]",
+                    of.initial->kind->name));
   if (of.body && !of.initial && speed_of(of) == 0)
     throw Refused("flow",
                   "nothing moves: a body needs a flow.stream, a [plunge], a motion.spin or "
@@ -129,6 +137,10 @@ body::Bodies bodies_of(const Case& of) {
   const auto [x, y] = of.body->centre;
   return {
       {body::outline_of(*of.body), {x, y}, body::motion_of(of.plunge, of.motion), of.body->panels}};
+}
+
+std::optional<PeriodicFlow> periodic_flow_of(const Case& of) {
+  return of.initial ? periodic_flow(*of.initial, of.flow.nu) : std::nullopt;
 }
 
 double speed_of_stream(const Case& of) {

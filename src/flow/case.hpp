@@ -47,13 +47,17 @@ void choose_viscosity(Case& of, const Written& written);
 void complete_times(Case& of);
 
 /// throws  Refused for what every number by itself may be, but nobody can mean: a motion without a
-///         body, a shape that cannot move so, a direction [0, 0], a body at rest in fluid at rest
+///         body, a shape that cannot move so, a direction [0, 0], a body at rest in fluid at rest,
+///         a body in an initial flow that fills the plane
 void refuse_senseless(const Case& of);
 
 /// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
 /// greatest of the plunge; without both that of a wall that spins; 0 without any.
 [[nodiscard]] double speed_of(const Case& of);
 [[nodiscard]] double speed_of_stream(const Case& of);
+
+/// The initial flow, if it is one that fills the plane.
+[[nodiscard]] std::optional<PeriodicFlow> periodic_flow_of(const Case& of);
 
 /// The bodies as they stand at t = 0.
 [[nodiscard]] body::Bodies bodies_of(const Case& of);

@@ -9,6 +9,8 @@ Scales scales_of(const Case& of) {
   scales.body = of.body.has_value();
   if (of.body) scales.length = body::length_of(*of.body);
   if (const double speed = speed_of(of); speed > 0) scales.speed = speed;
+  if (const auto initial = periodic_flow_of(of))
+    scales.length = initial->wavelength, scales.speed = initial->speed;
   const bool stream = speed_of_stream(of) > 0;
   if (stream || of.plunge) {
     const auto [x, y] = stream ? of.flow.stream : of.plunge->direction;

@@ -6,7 +6,8 @@
 namespace vortree::flow {
 
 /// What makes numbers without units of a flow: the length D of a body and the speed U of the stream
-/// or, without one, the greatest of the body's motion. Without a body, or without both, they are 1.
+/// or, without one, the greatest of the body's motion; those of an initial flow that fills the
+/// plane. Without a body, or without both, they are 1.
 ///
 /// body       there is one
 /// along      where drag points to: down the stream; without one, the way of the motion, or x

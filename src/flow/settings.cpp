@@ -3,12 +3,14 @@
 namespace vortree::flow {
 
 std::vector<Key> keys(FlowSettings& flow) {
-  return {key("nu", flow.nu, chosen({.low = 0, .words = "viscosity must be >= 0"}), "L^2/T",
-              "kinematic viscosity, written or by `flow.reynolds`"),
-          key("stream", flow.stream, anything, "L/T", "undisturbed velocity [u, v]"),
-          key("reynolds", flow.reynolds, positive, "",
-              "U D/nu, instead of `flow.nu`: U the speed of the stream or without one the greatest "
-              "of the plunge, D twice the body's radius or its chord")};
+  return {
+      key("nu", flow.nu, chosen({.low = 0, .words = "viscosity must be >= 0"}), "L^2/T",
+          "kinematic viscosity, written or by `flow.reynolds`"),
+      key("stream", flow.stream, anything, "L/T", "undisturbed velocity [u, v]"),
+      key("reynolds", flow.reynolds, positive, "",
+          "U D/nu, instead of `flow.nu`: U the speed of the stream or without one the greatest "
+          "of the plunge, D twice the body's radius or its chord; of a flow that fills the plane "
+          "its speed and wavelength")};
 }
 
 std::vector<Key> keys(TimeSettings& time) {

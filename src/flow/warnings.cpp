@@ -60,7 +60,7 @@ std::array<double, 4> place_of_flow(const Case& of) {
         half);
   };
   if (of.body) add_moving(of.body->centre, body::half_extent(*of.body));
-  if (of.initial) {
+  if (of.initial && !of.initial->kind->periodic) {
     const auto [x, y] = half_extent(*of.initial);
     add_moving(of.initial->centre, {x, y});
   }
@@ -72,7 +72,7 @@ void doubt_output(Warnings& list, const Case& of) {
   if (output.fields.empty()) return;
   const auto [x0, y0, x1, y1] = *output.window;
   const auto flow = place_of_flow(of);
-  const bool somewhere = of.body || of.initial;
+  const bool somewhere = of.body || (of.initial && !of.initial->kind->periodic);
   if (somewhere && (x1 < flow[0] || flow[2] < x0 || y1 < flow[1] || flow[3] < y0))
     list.push_back(fmt::format(
         "output.window = [{:.4g}, {:.4g}, {:.4g}, {:.4g}]: the flow passes through [{:.4g}, "

@@ -23,6 +23,8 @@ class SphMethod final : public flow::Method {
   flow::Warnings warnings(const flow::Case& of) const override;
   std::unique_ptr<flow::Solver> begin(const flow::Case& of, double memory) const override;
 
+  const SphSettings& settings() const { return settings_; }
+
  private:
   SphSettings settings_;
   NeighborSettings neighbors_;

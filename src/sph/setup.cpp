@@ -1,6 +1,7 @@
 #include "sph/setup.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -12,10 +13,16 @@
 namespace vortree::sph {
 namespace {
 
+/// Where a flow is seen from.
+Vec2 centre_of(const SphCase& scene) {
+  if (scene.body) return {scene.body->centre[0], scene.body->centre[1]};
+  return {(*scene.sph.box)[0], (*scene.sph.box)[1]};
+}
+
 OuterBox box_of(const SphCase& scene) {
   const auto [x0, y0, x1, y1] = *scene.sph.box;
-  const auto [x, y] = scene.body->centre;
-  return {{x0 - x, y0 - y}, {x1 - x, y1 - y}};
+  const Vec2 centre = centre_of(scene);
+  return {Vec2{x0, y0} - centre, Vec2{x1, y1} - centre};
 }
 
 /// The side by which the stream leaves.
@@ -28,7 +35,7 @@ bool leaves(const BoundaryNode& node, Vec2 stream) {
 void add_box(Cloud& cloud, const SphSetup& setup) {
   const Ambient& ambient = setup.ambient;
   std::int32_t number = 0;
-  for (const BoundaryNode& node : box_nodes(setup.confines.box, setup.wanted.coarsest())) {
+  for (const BoundaryNode& node : box_nodes(setup.box, setup.wanted.coarsest())) {
     const bool outlet = leaves(node, ambient.steady);
     cloud.add(node, outlet ? ParticleKind::outlet : ParticleKind::outer, number++);
   }
@@ -68,7 +75,7 @@ std::vector<StartSquare> split(const std::vector<StartSquare>& squares,
 }
 
 void add_lattice(Cloud& cloud, const SphSetup& setup) {
-  const OuterBox& box = setup.confines.box;
+  const OuterBox& box = setup.box;
   const double coarsest = setup.wanted.coarsest();
   const auto [width, height] = box.size();
   const long across = std::lround(width / coarsest), up = std::lround(height / coarsest);
@@ -81,7 +88,8 @@ void add_lattice(Cloud& cloud, const SphSetup& setup) {
     squares = split(squares, setup.wanted);
   const double least = (setup.confines.rings + 0.55) * setup.wall_spacing;
   for (const StartSquare& one : squares)
-    if (setup.shape->beyond(one.middle, least) || setup.shape->distance(one.middle) > least)
+    if (!setup.shape || setup.shape->beyond(one.middle, least) ||
+        setup.shape->distance(one.middle) > least)
       cloud.add(one.middle, one.side, ParticleKind::fluid);
 }
 
@@ -98,28 +106,31 @@ void scatter(Cloud& cloud, std::uint64_t seed) {
   }
 }
 
-}  // namespace
+/// The initial flow as seen from a place.
+std::optional<flow::PeriodicFlow> periodic_of(const SphCase& scene, Vec2 from) {
+  auto flow = flow::periodic_flow_of(scene);
+  if (!flow) return flow;
+  flow->velocity = [from, of = flow->velocity](Vec2 at, double t) { return of(at + from, t); };
+  flow->pressure = [from, of = flow->pressure](Vec2 at, double t) { return of(at + from, t); };
+  return flow;
+}
 
-SphSetup setup_of(const SphCase& scene) {
-  const body::Bodies bodies = flow::bodies_of(scene);
-  const body::Body& body = bodies.front();
+/// What all flows have.
+SphSetup setup_without_body(const SphCase& scene) {
   const SphSettings& own = scene.sph;
-  const double perimeter = body.shape->perimeter();
-  const double wall_spacing = perimeter / std::lround(perimeter / own.spacing);
-  return {
+  const OuterBox box = box_of(scene);
+  const double period = own.outside == Outside::periodic ? box.size().x : 0;
+  constexpr OuterBox anywhere{{-endless, -endless}, {endless, endless}};
+  const OuterBox confines = period > 0 ? anywhere : box;
+  SphSetup setup{
       .scales = flow::scales_of(scene),
-      .ambient = {.nu = scene.flow.nu,
-                  .steady = {scene.flow.stream[0], scene.flow.stream[1]},
-                  .plunge = body.motion.plunge,
-                  .spin = body.motion.spin},
-      .centre = body.centre,
-      .shape = body.shape,
-      .area = area_of(*body.shape),
-      .initial = scene.initial,
-      .wanted = {body.shape, own.spacing, own.levels, own.zone, own.growth},
-      .confines = {box_of(scene), body.shape.get(), own.rings, wall_spacing},
-      .operators = {own.degree, own.reach, 0, body.shape.get(), own.operators, scene.neighbors},
-      .wall_spacing = wall_spacing,
+      .ambient = {.nu = scene.flow.nu, .steady = {scene.flow.stream[0], scene.flow.stream[1]}},
+      .centre = centre_of(scene),
+      .periodic = periodic_of(scene, centre_of(scene)),
+      .box = box,
+      .wanted = wanted_of(own, nullptr, centre_of(scene), period),
+      .confines = {.box = confines},
+      .operators = {own.degree, own.reach, period, nullptr, own.operators, scene.neighbors},
       .far_field = own.outside == Outside::free,
       .shift = own.shift,
       .courant = own.courant,
@@ -127,22 +138,57 @@ SphSetup setup_of(const SphCase& scene) {
       .dt = scene.time.dt,
       .seed = static_cast<std::uint64_t>(scene.seed),
   };
+  if (own.vorticity) setup.by_vorticity = {*own.vorticity, own.spacing, confines};
+  return setup;
+}
+
+}  // namespace
+
+WantedSpacing wanted_of(const SphSettings& own, std::shared_ptr<const body::Shape> shape, Vec2 from,
+                        double period) {
+  WantedSpacing wanted(std::move(shape), own.spacing, own.levels, own.zone, own.growth, period);
+  for (const auto& [centre, half_axes, angle, spacing] : own.regions)
+    wanted.add_ellipse(Vec2{centre[0], centre[1]} - from, half_axes, angle * std::numbers::pi / 180,
+                       spacing);
+  return wanted;
+}
+
+SphSetup setup_of(const SphCase& scene) {
+  SphSetup setup = setup_without_body(scene);
+  if (!scene.body) return setup;
+  const body::Bodies bodies = flow::bodies_of(scene);
+  const body::Body& body = bodies.front();
+  const double perimeter = body.shape->perimeter();
+  setup.ambient.plunge = body.motion.plunge, setup.ambient.spin = body.motion.spin;
+  setup.shape = body.shape;
+  setup.area = area_of(*body.shape);
+  setup.initial = scene.initial;
+  setup.operators.body = body.shape.get();
+  setup.wanted = wanted_of(scene.sph, body.shape, body.centre);
+  setup.wall_spacing = perimeter / std::lround(perimeter / scene.sph.spacing);
+  setup.confines.shape = body.shape.get();
+  setup.confines.rings = scene.sph.rings, setup.confines.ring_spacing = setup.wall_spacing;
+  return setup;
 }
 
 Cloud starting_cloud(const SphSetup& setup) {
   Cloud cloud;
-  add_box(cloud, setup);
-  add_body(cloud, setup);
+  if (setup.shape) add_box(cloud, setup), add_body(cloud, setup);
   add_lattice(cloud, setup);
   scatter(cloud, setup.seed);
   sort(cloud);
+  settle(cloud, setup.operators);
+  return cloud;
+}
+
+void settle(Cloud& cloud, const OperatorOptions& options) {
   Stencils stencils;
   for (int k = 0; k < spreading_steps; ++k) {
-    stencils.renew(cloud, setup.operators);
+    stencils.renew(cloud, options);
     spread_evenly(cloud, stencils);
+    wrap(cloud, options.period);
   }
   sort(cloud);
-  return cloud;
 }
 
 }  // namespace vortree::sph

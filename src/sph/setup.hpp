@@ -5,9 +5,11 @@
 #include <optional>
 
 #include "body/shape.hpp"
+#include "flow/initial/initial_flow.hpp"
 #include "flow/initial/settings.hpp"
 #include "flow/scales.hpp"
 #include "sph/adapt/wanted_spacing.hpp"
+#include "sph/adapt/wishes.hpp"
 #include "sph/boundary/open_boundary.hpp"
 #include "sph/boundary/outer_box.hpp"
 #include "sph/cloud/cloud.hpp"
@@ -17,15 +19,18 @@
 
 namespace vortree::sph {
 
-/// A scene made ready, as seen from the body's centre.
+/// A scene made ready, as seen from the body's centre, or the lower left corner of a periodic box.
 struct SphSetup {
   flow::Scales scales;
   Ambient ambient;
   Vec2 centre{};
-  std::shared_ptr<const body::Shape> shape;
-  double area = 0;  ///< of the body
-  std::optional<flow::InitialSettings> initial{};
+  std::shared_ptr<const body::Shape> shape{};      ///< null without a body, in a periodic box
+  double area = 0;                                 ///< of the body
+  std::optional<flow::InitialSettings> initial{};  ///< vortices beside a body
+  std::optional<flow::PeriodicFlow> periodic{};    ///< what a flow in a periodic box begins with
+  OuterBox box{};
   WantedSpacing wanted;
+  std::optional<VorticityWish> by_vorticity{};
   Confines confines;
   OperatorOptions operators;
   double wall_spacing = 0;
@@ -34,12 +39,22 @@ struct SphSetup {
   std::uint64_t seed = 1;
 };
 
+/// What a scene asks of the spacing, beside a body of some shape and in its regions.
+///
+/// from     where the shape is seen from, in the scene
+[[nodiscard]] WantedSpacing wanted_of(const SphSettings& own,
+                                      std::shared_ptr<const body::Shape> shape, Vec2 from,
+                                      double period = 0);
+
 [[nodiscard]] SphSetup setup_of(const SphCase& scene);
 
-/// Particles as a flow begins, at rest: nodes on the wall and on the box, rings, and between them a
-/// lattice that is split level by level, moved off its places at random by up to a tenth of the
-/// spacing, and spread evenly. A lattice without a flaw would stay one where the flow strains it,
-/// its rows ever nearer to each other: repulsion cancels there.
+/// Particles as a flow begins, at rest: if there is a body, nodes on the wall and on the box, and
+/// rings; between them a lattice that is split level by level, moved off its places at random by up
+/// to a tenth of the spacing, and spread evenly. A lattice without a flaw would stay one where the
+/// flow strains it, its rows ever nearer to each other: repulsion cancels there.
 [[nodiscard]] Cloud starting_cloud(const SphSetup& setup);
+
+/// Spreads particles evenly before a flow begins, and puts them in order.
+void settle(Cloud& cloud, const OperatorOptions& options);
 
 }  // namespace vortree::sph

@@ -11,10 +11,12 @@
 #include "flow/near_wake.hpp"
 #include "sph/adapt/population.hpp"
 #include "sph/adapt/refine.hpp"
+#include "sph/adapt/wishes.hpp"
 #include "sph/boundary/open_boundary.hpp"
 #include "sph/boundary/tuning.hpp"
 #include "sph/motion/edge_filter.hpp"
 #include "sph/motion/initial_vortices.hpp"
+#include "sph/motion/periodic_flow.hpp"
 #include "sph/motion/potential_flow.hpp"
 #include "sph/motion/shift.hpp"
 #include "sph/motion/tuning.hpp"
@@ -31,8 +33,7 @@ const std::string settings_to_blame =
 
 SphSolver::SphSolver(SphSetup setup)
     : setup_(std::move(setup)),
-      far_field_(setup_.confines.box,
-                 edge_share * std::min(setup_.confines.box.size().x, setup_.confines.box.size().y),
+      far_field_(setup_.box, edge_share * std::min(setup_.box.size().x, setup_.box.size().y),
                  setup_.ambient.spin.circulation(setup_.area),
                  faintest_vortex * setup_.scales.speed * setup_.scales.length) {
   start();
@@ -42,20 +43,42 @@ void SphSolver::start() {
   cloud_ = starting_cloud(setup_);
   for (const std::uint32_t i : in_order(cloud_, ParticleKind::wall)) wall_.push_back(cloud_.at(i));
   stencils_.renew(cloud_, setup_.operators);
-  // By Kelvin's theorem: no vorticity comes from nowhere.
-  const double vortices =
-      setup_.initial ? add_initial_vortices(cloud_, *setup_.initial, setup_.centre) : 0;
-  start_potential_flow(cloud_, stencils_, setup_.operators, setup_.ambient, setup_.far_field,
-                       -vortices);
+  setup_.periodic ? start_periodic_flow() : start_past_body();
   look();
   force_ = {
       .t = 0, .impulse = impulse(), .frame = setup_.area * setup_.ambient.plunge.acceleration(0)};
   measure();
 }
 
+void SphSolver::start_past_body() {
+  // By Kelvin's theorem: no vorticity comes from nowhere.
+  const double vortices =
+      setup_.initial ? add_initial_vortices(cloud_, *setup_.initial, setup_.centre) : 0;
+  start_potential_flow(cloud_, stencils_, setup_.operators, setup_.ambient, setup_.far_field,
+                       -vortices);
+}
+
+/// As fine as its vorticity asks for, which is known where particles are.
+void SphSolver::start_periodic_flow() {
+  begin(cloud_, *setup_.periodic);
+  const auto& by_vorticity = setup_.by_vorticity;
+  const double finer = by_vorticity ? setup_.wanted.coarsest() / by_vorticity->finest : 1;
+  for (double level = 1; level < finer; level *= 2) {
+    find_slopes(cloud_, stencils_, slopes_);
+    renew_particles();
+    settle(cloud_, setup_.operators);
+    stencils_.renew(cloud_, setup_.operators);
+    begin(cloud_, *setup_.periodic);
+  }
+}
+
 /// What follows from particles that are where they are and carry what they carry.
 void SphSolver::look() {
   find_slopes(cloud_, stencils_, slopes_);
+  if (setup_.shape) look_at_wall();
+}
+
+void SphSolver::look_at_wall() {
   far_field_.renew(cloud_, slopes_, setup_.ambient.steady);
   wall_vorticity_.resize(wall_.size()), wall_pressure_.resize(wall_.size());
   for (std::size_t i = 0; i < cloud_.size(); ++i)
@@ -122,7 +145,7 @@ double SphSolver::next_dt(double left) const {
   const auto parts = [&](double longest) {
     return std::ceil(left / std::min(most, longest) - 1e-9);
   };
-  if (last_dt_ == 0) return left / parts(first_step * setup_.dt);
+  if (last_dt_ == 0) return left / parts((setup_.periodic ? 1 : first_step) * setup_.dt);
   const double few = parts(step_growth * last_dt_);
   // From five parts of a step to four, and down to one, steps grow by more.
   return left / (few > 5 ? few : parts(2 * last_dt_));
@@ -158,12 +181,15 @@ void SphSolver::substep(double dt, const tree::Phase& phase) {
 }
 
 void SphSolver::renew_particles() {
-  Population population(cloud_, stencils_, slopes_);
-  correct_volumes(population, setup_.wanted);
+  const double period = setup_.operators.period;
+  Population population(cloud_, stencils_, slopes_, period);
+  const std::vector<double> wanted = wishes(population, setup_.wanted, setup_.by_vorticity);
+  correct_volumes(population, wanted);
   take_away(population, setup_.confines);
   fill_gaps(population, setup_.confines);
-  refine(population, setup_.wanted);
+  refine(population, wanted);
   population.finish();
+  wrap(cloud_, period);
 }
 
 /// Force per unit density that the fluid puts on the body: int -p n + nu (grad u + grad u^T) n ds.
@@ -198,10 +224,31 @@ Vec2 SphSolver::impulse() const {
 }
 
 void SphSolver::measure() {
+  setup_.shape ? measure_past_body() : measure_periodic();
+}
+
+void SphSolver::measure_periodic() {
+  const PeriodicBudget now = budget(cloud_, slopes_, *setup_.periodic, time());
+  const Vec2 box = setup_.box.size();
+  const double size = setup_.scales.speed * box.x * box.y;
+  measures_ = {{"particles", "", static_cast<double>(cloud_.size())},
+               {"volume", "", now.volume / (box.x * box.y)},
+               {"momentum_x", "", now.momentum.x / size},
+               {"momentum_y", "", now.momentum.y / size},
+               {"energy", "L^4/T^2", now.energy},
+               {"enstrophy", "L^2/T^2", now.enstrophy},
+               {"velocity_error", "", now.velocity_error},
+               {"pressure_error", "", now.pressure_error},
+               {"pressure_iterations", "", static_cast<double>(iterations_.pressure)},
+               {"least_neighbors", "", static_cast<double>(stencils_.least_length())}};
+  drift_ = std::max(drift_, std::sqrt(dot(now.momentum, now.momentum)) / size);
+}
+
+void SphSolver::measure_past_body() {
   const flow::Scales& scales = setup_.scales;
   const double circulation = far_field_.circulation();
   double volume = -setup_.area;
-  const Vec2 box = setup_.confines.box.size();
+  const Vec2 box = setup_.box.size();
   double filled = 0;
   std::size_t least = cloud_.size();
   for (std::size_t i = 0; i < cloud_.size(); ++i) {
@@ -252,7 +299,11 @@ flow::Samples SphSolver::sample(tree::Points at) const {
     x[k] = at.x[k] - setup_.centre.x, y[k] = at.y[k] - setup_.centre.y;
   std::vector<std::uint32_t> all(cloud_.size());
   std::iota(all.begin(), all.end(), 0u);
-  auto [u, v, omega, covered] = interpolate(cloud_, slopes_, all, {x, y});
+  const double period = setup_.operators.period;
+  for (std::vector<double>* places : {&x, &y})
+    for (double& one : *places) one = wrapped(one, period);
+  auto [u, v, omega, covered] = interpolate(cloud_, slopes_, all, {x, y}, period);
+  if (!setup_.shape) return {std::move(u), std::move(v), std::move(omega)};
   std::vector<double> far_x, far_y;
   std::vector<std::size_t> far;
   for (std::size_t k = 0; k < m; ++k) {
@@ -267,10 +318,13 @@ flow::Samples SphSolver::sample(tree::Points at) const {
 }
 
 flow::FrameTable SphSolver::frame_table() const {
+  if (!setup_.shape) return {"energy.csv", {"t", "energy", "enstrophy"}};
   return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "pressure"}};
 }
 
 std::vector<double> SphSolver::frame_rows() const {
+  if (!setup_.shape)
+    return {time(), flow::measured(measures_, "energy"), flow::measured(measures_, "enstrophy")};
   std::vector<double> rows;
   if (steps_ == 0) return rows;  // the wall vorticity of an impulsive start is infinite
   const Vec2 s = setup_.scales.along;

@@ -12,22 +12,26 @@
 
 namespace vortree::sph {
 
-/// A flow past a body by incompressible SPH of variable resolution. The start is the potential flow
-/// of the stream around the body.
+/// A flow by incompressible SPH of variable resolution: past a body, from the potential flow of the
+/// stream around it on, or in a periodic box, from an initial flow on that fills the plane.
 ///
 /// Forces are those at the wall. By impulse they agree in the mean, but births, splits and mergers
 /// change the impulse by some 1e-3 a step, of which differences in time make a tenth of the drag.
 ///
-/// A step of dt is made of as many as the Courant number asks for, and the first of a run of short
-/// ones, a tenth of dt and 1.2 times as long from one to the next, the last of them up to twice.
+/// A step of dt is made of as many as the Courant number asks for, and the first beside a body of
+/// short ones, a tenth of dt and 1.2 times as long from one to the next, the last of them up to
+/// twice.
 ///
 /// columns   x, y, u, v, pressure, vorticity, spacing, kind (ParticleKind)
-/// measures  particles; circulation; impulse_x, impulse_y; second_moment, sum gamma |X|^2 from the
-///           body's centre; bubble_length, separation_deg as of vortices; volume, of the particles
-///           and half the nodes' in that of the box without the body; pressure_iterations of the
-///           last step; least_neighbors of a particle that is no node
-/// drift     of the circulation [U D]
-/// table     wall.csv: vorticity and pressure of each node
+/// measures  past a body: particles; circulation; impulse_x, impulse_y; second_moment, sum gamma
+///           |X|^2 from the body's centre; bubble_length, separation_deg as of vortices; volume, of
+///           the particles and half the nodes' in that of the box without the body;
+///           pressure_iterations of the last step; least_neighbors of a particle that is no node
+///           in a periodic box: particles; volume, in that of the box; momentum_x, momentum_y, in
+///           that of all fluid at the initial speed; energy, enstrophy, velocity_error,
+///           pressure_error (motion/periodic_flow.hpp); the last two as above
+/// drift     of the circulation [U D]; of the momentum, as above
+/// table     wall.csv: vorticity and pressure of each node; or energy.csv
 class SphSolver final : public flow::Solver {
  public:
   explicit SphSolver(SphSetup setup);
@@ -43,7 +47,9 @@ class SphSolver final : public flow::Solver {
   std::size_t particles() const override { return cloud_.size(); }
   flow::Columns columns() const override;
   flow::Measures measures() const override { return measures_; }
-  std::optional<flow::Force> force() const override { return force_; }
+  std::optional<flow::Force> force() const override {
+    return setup_.shape ? std::optional(force_) : std::nullopt;
+  }
   std::string route() const override { return "wall"; }
   double drift() const override { return drift_; }
   flow::Samples sample(tree::Points at) const override;
@@ -60,11 +66,16 @@ class SphSolver final : public flow::Solver {
   };
 
   void start();
+  void start_past_body();
+  void start_periodic_flow();
   void substep(double dt, const tree::Phase& phase);
   double next_dt(double left) const;
   void renew_particles();
   void look();
+  void look_at_wall();
   void measure();
+  void measure_past_body();
+  void measure_periodic();
   Traction traction() const;
   Vec2 impulse() const;
   double bubble_length() const;

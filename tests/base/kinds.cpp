@@ -19,8 +19,8 @@ const Solid barrel{{"barrel",
                     {{"size", positive, "L", "half its height"},
                      {"bulge", small, "", "how round its side is", 0.25}}}};
 
-const std::array<const Solid*, 2> list{&ball, &barrel};
-const std::span<const Solid* const> solids(list);
+const std::array<const Solid*, 2> known{&ball, &barrel};
+const std::span<const Solid* const> solids(known);
 
 std::string refusal(const Solid& solid, const Dimensions& numbers) {
   try {
@@ -34,7 +34,7 @@ std::string refusal(const Solid& solid, const Dimensions& numbers) {
 }  // namespace
 
 TEST_CASE("a table that names a kind has a key for its name, and one for each number of any kind") {
-  const Solid* solid = list[0];
+  const Solid* solid = known[0];
   Dimensions numbers = dimensions_of(as_kinds(solids));
   CHECK(numbers == Dimensions{{"size", {}}, {"bulge", {}}});
   const std::vector<Key> keys =

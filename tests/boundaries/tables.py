@@ -172,6 +172,24 @@ def what_is_paid_for():
                 [[], *([1e-6 * told["peak_bytes"]] for told in both)]])
 
 
+def vortices_by_sph():
+    """The sweeps of taylor_green, uniform and with a finer disc: cases/README.md."""
+    uniform, disc = read("cases/taylor_green.csv"), read("cases/taylor_green_disc.csv")
+    errors = ("velocity_rms", "pressure_rms", "volume_max", "momentum_max", "energy_max", "blobs")
+    expected = []
+    for degree in ("2", "4"):
+        some = [row for row in uniform if row["sph.degree"] == degree]
+        finer = [row for row in disc if row["sph.degree"] == degree]
+        h = [row["sph.spacing"] for row in some]
+        expected += [[[degree], [], *([row[name]] for name in errors),
+                      [other["velocity_rms"]], [other["blobs"]]]
+                     for row, other in zip(some, finer)]
+        fits = [[order(h, [row[name] for row in some])] for name in errors[:2]]
+        expected.append([[degree], [], *fits, [], [], [], [],
+                         [order(h, [row["velocity_rms"] for row in finer])], []])
+    hold_table("cases/README.md", "| degree | spacing", expected)
+
+
 def three_ways_to_diffuse():
     rows = read("cases/diffusion.csv")
     ways = [rows[k:k + 3] for k in (0, 3, 6)]
@@ -272,6 +290,7 @@ held_against_the_reference()
 accuracy_by_second()
 long_runs()
 what_is_paid_for()
+vortices_by_sph()
 three_ways_to_diffuse()
 found, asked = reached()
 cylinder_at_550(found, asked)

@@ -208,13 +208,66 @@ TEST_CASE("the list of initial flows: names of their own, the first by default, 
   CHECK_THROWS_AS(flow::initial_flow("quadrupole"), std::out_of_range);
 }
 
+namespace {
+
+const InitialSettings vortices = [] {
+  InitialSettings made{.kind = &flow::initial_flow("taylor_green"), .centre = {0.7, -0.2}};
+  made.numbers.at("wavelength") = 0.6, made.numbers.at("speed") = 2.5;
+  return made;
+}();
+
+}  // namespace
+
+TEST_CASE("vortices of Taylor and Green follow the equations of motion, the same after a period") {
+  const double nu = 0.02, h = 1e-4;
+  const flow::PeriodicFlow of = flow::periodic_flow(vortices, nu).value();
+  CHECK(of.wavelength == 0.6);
+  CHECK(of.speed == 2.5);
+  const auto difference = [h](auto f, Vec2 by) { return 1 / (2 * h) * (f(h * by) - f(-h * by)); };
+  const auto second = [h](auto f, Vec2 by) {
+    return 1 / (h * h) * (f(h * by) - 2 * f(Vec2{}) + f(-h * by));
+  };
+  for (const Vec2 at : {Vec2{0.1, 0.2}, Vec2{-0.33, 0.4}, Vec2{1.2, -0.7}})
+    for (const double t : {0.0, 0.3}) {
+      const auto u = [&](Vec2 by) { return of.velocity(at + by, t); };
+      const auto p = [&](Vec2 by) { return of.pressure(at + by, t); };
+      const Vec2 ux = difference(u, {1, 0}), uy = difference(u, {0, 1}), here = u({});
+      const Vec2 grad{difference(p, {1, 0}), difference(p, {0, 1})};
+      const Vec2 rate = 1 / (2 * h) * (of.velocity(at, t + h) - of.velocity(at, t - h));
+      const Vec2 left =
+          rate + here.x * ux + here.y * uy + grad - nu * (second(u, {1, 0}) + second(u, {0, 1}));
+      // Differences of h err by (2 pi h/L)^2/6 = 2e-7 of terms of U^2 2 pi/L = 65, (2.5 t)-fold.
+      CHECK(std::abs(left.x) < 1e-3);
+      CHECK(std::abs(left.y) < 1e-3);
+      CHECK(std::abs(ux.x + uy.y) < 1e-4);
+      CHECK(of.velocity(at + Vec2{0.6, -1.2}, t).x == Approx(here.x).margin(1e-12));
+      CHECK(of.pressure(at + Vec2{0.6, -1.2}, t) == Approx(p({})).margin(1e-12));
+    }
+  double fastest = 0;
+  for (double x = 0; x < 0.6; x += 0.01)
+    for (double y = 0; y < 0.6; y += 0.01)
+      fastest = std::max(fastest, std::abs(of.velocity({0.7 + x, -0.2 + y}, 0).x));
+  CHECK(fastest == Approx(2.5).epsilon(1e-3));
+}
+
+TEST_CASE("a flow that fills the plane has no circulation and no core, and a vortex needs both") {
+  CHECK(refused(vortices) == "");
+  CHECK(refused(changed(vortices, [](auto& i) { i.core = 0.1; })) ==
+        "initial.core: initial.kind is \"taylor_green\"; that does not have the key initial.core");
+  CHECK(refused(changed(vortices, [](auto& i) { i.numbers.at("wavelength").reset(); })) ==
+        "initial: initial.kind is \"taylor_green\"; that needs the key initial.wavelength");
+  CHECK(refused(changed(lamb, [](auto& i) { i.core.reset(); })) ==
+        "initial: [initial] needs the key core");
+  CHECK_FALSE(flow::periodic_flow(lamb, 0.1));
+}
+
 TEST_CASE("keys of an initial flow in their order, set through their places") {
   InitialSettings made;
   std::vector<std::string_view> names;
   for (const Key& key : keys(made)) names.push_back(key.name);
   CHECK(names == std::vector<std::string_view>{"kind", "circulation", "core", "spacing", "centre",
                                                "core_across", "separation", "perturbation",
-                                               "faintest"});
+                                               "wavelength", "speed", "faintest"});
   CHECK(made == InitialSettings{});
   const std::vector<Key> all = keys(made);
   const OneOf& kind = std::get<OneOf>(all[0].target);

@@ -5,11 +5,11 @@ namespace vortree::flow {
 namespace {
 
 std::vector<Patch> patches(const InitialSettings& i) {
-  return {gaussian(i.circulation, i.core, i.number("core_across"))};
+  return {gaussian(*i.circulation, *i.core, i.number("core_across"))};
 }
 
 void hold(const InitialSettings& i, double sigma_0) {
-  hold_wider("initial.core", i.core, sigma_0);
+  hold_wider("initial.core", *i.core, sigma_0);
   hold_wider("initial.core_across", i.number("core_across"), sigma_0);
 }
 

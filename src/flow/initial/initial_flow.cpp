@@ -11,7 +11,8 @@
   kind(kirchhoff_ellipse) \
   kind(corotating_pair) \
   kind(dipole) \
-  kind(tripole)
+  kind(tripole) \
+  kind(taylor_green)
 // clang-format on
 
 namespace vortree::flow {

@@ -36,6 +36,16 @@ struct Patch {
   std::function<Vec2(double faintest, double sigma, double h)> extent;
 };
 
+/// A flow that fills the plane, the same again after each wavelength along x and along y, and known
+/// for all times: velocity [L/T] and pressure per unit density [L^2/T^2], whose mean is 0.
+///
+/// wavelength, speed   its scales: [L], and its greatest velocity at t = 0 [L/T]
+struct PeriodicFlow {
+  double wavelength = 0, speed = 0;
+  std::function<Vec2(Vec2 at, double t)> velocity;
+  std::function<double(Vec2 at, double t)> pressure;
+};
+
 /// Cores of any width make it up.
 inline void any_core(const InitialSettings&, double /*sigma_0*/) {}
 
@@ -48,16 +58,18 @@ inline std::vector<std::string> no_doubt(const InitialSettings&, double /*sigma_
 /// others (refuse).
 ///
 /// says     what it is: "a Gaussian vortex"
-/// patches  one, or two of the same size; the left one first
+/// patches  one, or two of the same size; the left one first. None of a flow that fills the plane
 /// hold     throws Refused if cores of sigma_0 cannot make it up
 /// doubts   what of it is hardly meant, in sentences
 /// sharp    vorticity ends at an edge that is as wide as the cores; otherwise as a Gaussian
+/// periodic a flow that fills the plane, in fluid of viscosity nu; null for vortices
 struct InitialFlow : Kind {
   std::string_view says;
   std::vector<Patch> (*patches)(const InitialSettings&);
   void (*hold)(const InitialSettings&, double sigma_0) = any_core;
   std::vector<std::string> (*doubts)(const InitialSettings&, double sigma_0) = no_doubt;
   bool sharp = false;
+  PeriodicFlow (*periodic)(const InitialSettings&, double nu) = nullptr;
 };
 
 using InitialFlows = std::span<const InitialFlow* const>;

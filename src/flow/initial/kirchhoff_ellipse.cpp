@@ -20,8 +20,8 @@ double share_inside(Vec2 at, double h, double a, double b) {
 }
 
 std::vector<Patch> patches(const InitialSettings& i) {
-  const double a = i.core, b = i.number("core_across");
-  return {{.circulation = i.circulation,
+  const double a = *i.core, b = i.number("core_across");
+  return {{.circulation = *i.circulation,
            .half = {a, b},
            .area = std::numbers::pi * a * b,
            .weight = [a, b](Vec2 at, double, double h) { return share_inside(at, h, a, b); },
@@ -32,7 +32,7 @@ std::vector<Patch> patches(const InitialSettings& i) {
 }
 
 std::vector<std::string> doubts(const InitialSettings& i, double sigma_0) {
-  const double thin = std::min(i.core, i.number("core_across"));
+  const double thin = std::min(*i.core, i.number("core_across"));
   if (sigma_0 <= 0.3 * thin) return {};
   return {"cores.sigma_0 = " + rounded(sigma_0, 3) +
           ": the vortex's edge is as wide, and its half width is " + rounded(thin, 3) + "; " +

@@ -5,11 +5,11 @@ namespace vortree::flow {
 namespace {
 
 std::vector<Patch> patches(const InitialSettings& i) {
-  return {gaussian(i.circulation, i.core, i.core)};
+  return {gaussian(*i.circulation, *i.core, *i.core)};
 }
 
 void hold(const InitialSettings& i, double sigma_0) {
-  hold_wider("initial.core", i.core, sigma_0);
+  hold_wider("initial.core", *i.core, sigma_0);
 }
 
 }  // namespace

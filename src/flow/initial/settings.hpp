@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "base/keys.hpp"
@@ -11,12 +12,12 @@
 namespace vortree::flow {
 
 /// The vorticity at t = 0 around `centre`. Vortex blobs that it is cut into lie `spacing` sigma_0
-/// apart; those below `faintest` of the strongest are left out. `numbers` are those that the kind
-/// has beside circulation and core.
+/// apart; those below `faintest` of the strongest are left out. Circulation and core are those of
+/// vortices; `numbers` are what else the kind has.
 struct InitialSettings {
   const InitialFlow* kind = initial_flows().front();
-  double circulation = 1;
-  double core = 0;
+  std::optional<double> circulation{};
+  std::optional<double> core{};
   double spacing = 1;
   std::array<double, 2> centre{0, 0};
   Dimensions numbers = initial_numbers();
@@ -31,6 +32,9 @@ struct InitialSettings {
 
 /// Its keys, in the order in which they are read and printed, if these kinds are known.
 [[nodiscard]] std::vector<Key> keys(InitialSettings& initial, InitialFlows known = initial_flows());
+
+/// Of a kind that fills the plane, as it is in fluid of viscosity nu; nothing of a vortex.
+[[nodiscard]] std::optional<PeriodicFlow> periodic_flow(const InitialSettings& initial, double nu);
 
 /// throws  Refused if a number lacks that the kind needs, or is there that it does not have;
 ///         without circulation; with blobs more than three cores apart

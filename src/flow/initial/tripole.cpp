@@ -9,8 +9,8 @@ namespace vortree::flow {
 namespace {
 
 std::vector<Patch> patches(const InitialSettings& i) {
-  const double a = i.core, p = i.number("perturbation");
-  return {{.circulation = i.circulation,
+  const double a = *i.core, p = i.number("perturbation");
+  return {{.circulation = *i.circulation,
            .half = {a, a},
            .area = std::numbers::pi * a * a,
            .weight =
@@ -28,7 +28,7 @@ std::vector<Patch> patches(const InitialSettings& i) {
 }
 
 void hold(const InitialSettings& i, double sigma_0) {
-  hold_wider("initial.core", i.core, sigma_0);
+  hold_wider("initial.core", *i.core, sigma_0);
 }
 
 std::vector<std::string> doubts(const InitialSettings& i, double) {

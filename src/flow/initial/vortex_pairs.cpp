@@ -9,21 +9,21 @@ namespace {
 /// One vortex on the left, and one of circulation `right` on the right.
 std::vector<Patch> two(const InitialSettings& i, double right) {
   const double half = 0.5 * i.number("separation");
-  return {gaussian(i.circulation, i.core, i.core, {-half, 0}),
-          gaussian(right, i.core, i.core, {half, 0})};
+  return {gaussian(*i.circulation, *i.core, *i.core, {-half, 0}),
+          gaussian(right, *i.core, *i.core, {half, 0})};
 }
 
 std::vector<Patch> alike(const InitialSettings& i) {
-  return two(i, i.circulation);
+  return two(i, *i.circulation);
 }
 
 std::vector<Patch> opposite(const InitialSettings& i) {
-  return two(i, -i.circulation);
+  return two(i, -*i.circulation);
 }
 
 void hold(const InitialSettings& i, double sigma_0) {
   constexpr double most = 1e5;  // cores
-  hold_wider("initial.core", i.core, sigma_0);
+  hold_wider("initial.core", *i.core, sigma_0);
   if (sigma_0 == 0) return;
   const double apart = i.number("separation");
   const std::string is = "initial.separation is " + tree::told(apart) + "; ",
@@ -38,9 +38,9 @@ void hold(const InitialSettings& i, double sigma_0) {
 
 std::vector<std::string> doubts(const InitialSettings& i, double) {
   const double apart = i.number("separation");
-  if (apart >= 2 * i.core) return {};
+  if (apart >= 2 * *i.core) return {};
   return {"initial.separation = " + rounded(apart, 3) + ": two vortices of width " +
-          rounded(i.core, 3) + " so near are one from the start; " + rounded(5 * i.core, 2) +
+          rounded(*i.core, 3) + " so near are one from the start; " + rounded(5 * *i.core, 2) +
           " parts them"};
 }
 

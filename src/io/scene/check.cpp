@@ -41,6 +41,12 @@ bool started(const Scene& s) {
 bool in_stream(const Scene& s) {
   return s.plunge && s.flow.stream != Pair{0, 0};
 }
+bool fills_plane(const Scene& s) {
+  return s.initial && s.initial->kind->periodic;
+}
+bool ends(const Scene& s) {
+  return !fills_plane(s);
+}
 bool field(const Scene& s) {
   return s.check.exact == ExactAnswer::lamb_oseen ||
          s.check.exact == ExactAnswer::spinning_cylinder;
@@ -64,6 +70,8 @@ struct Prerequisite {
 using C = CheckSettings;
 constexpr std::string_view reference = "[body] and check.drag_reference";
 constexpr std::string_view known_field = "check.exact = \"lamb_oseen\" or \"spinning_cylinder\"";
+constexpr std::string_view known_vortices = "check.exact = \"taylor_green\"";
+constexpr std::string_view no_end = "a flow that does not fill the plane";
 constexpr std::string_view wall_reference = "[body] and check.wall_vorticity_reference";
 
 constexpr Prerequisite needs[] = {
@@ -97,6 +105,13 @@ constexpr Prerequisite needs[] = {
     {"speed_max", &C::speed_max, exact<ExactAnswer::dipole>, "check.exact = \"dipole\""},
     {"quadrupole_max", &C::quadrupole_max, moments, "check.moments_reference"},
     {"separation_max", &C::separation_max, moments, "check.moments_reference"},
+    {"circulation_max", &C::circulation_max, ends, no_end},
+    {"impulse_max", &C::impulse_max, ends, no_end},
+    {"second_moment_max", &C::second_moment_max, ends, no_end},
+    {"velocity_rms", &C::velocity_rms, exact<ExactAnswer::taylor_green>, known_vortices},
+    {"pressure_rms", &C::pressure_rms, exact<ExactAnswer::taylor_green>, known_vortices},
+    {"volume_max", &C::volume_max, fills_plane, known_vortices},
+    {"momentum_max", &C::momentum_max, fills_plane, known_vortices},
     {"energy_max", &C::energy_max, free_space, "free space, no [body]"},
 };
 
@@ -239,7 +254,7 @@ std::vector<Key> of_forces(CheckSettings& c) {
 
 std::vector<Key> of_free_space(CheckSettings& c) {
   return {key("exact", c.exact,
-              "the answer known by heart that the initial vortex of this kind, or a circle that "
+              "the answer known by heart that the initial flow of this kind, or a circle that "
               "spins in fluid at rest, is held against"),
           most("vorticity_max", c.vorticity_max,
                "vorticity at the end of lamb_oseen or spinning_cylinder: largest deviation, "
@@ -271,14 +286,28 @@ std::vector<Key> of_free_space(CheckSettings& c) {
                "to that at the start")};
 }
 
+std::vector<Key> of_periodic_flow(CheckSettings& c) {
+  return {most("velocity_rms", c.velocity_rms,
+               "taylor_green: velocity at the end, root mean square of the deviation over that of "
+               "the velocity"),
+          most("pressure_rms", c.pressure_rms, "the same of the pressure, less its mean"),
+          most("volume_max", c.volume_max,
+               "volume of all particles off that of a periodic box: largest deviation, relative"),
+          most("momentum_max", c.momentum_max,
+               "momentum in a periodic box, which has none: largest, relative to that of all fluid "
+               "at the initial speed")};
+}
+
 std::vector<Key> of_shedding(CheckSettings& c) {
   return {
       key("strouhal", c.strouhal, positive, "",
           "of a wake that sheds: the highest peak of the lift's spectrum, times D/U"),
       most("strouhal_max", c.strouhal_max, "deviation from `check.strouhal`, relative"),
-      key("mean_drag", c.mean_drag, positive, "", "of a wake that sheds: mean drag by impulse"),
+      key("mean_drag", c.mean_drag, positive, "",
+          "of a wake that sheds, or past a body that plunges: mean drag, by impulse or by SPH at "
+          "the wall"),
       most("mean_drag_max", c.mean_drag_max, "deviation from `check.mean_drag`, relative"),
-      key("mean_lift", c.mean_lift, anything, "", "of a wake that sheds: mean lift by impulse"),
+      key("mean_lift", c.mean_lift, anything, "", "of a wake that sheds: mean lift, likewise"),
       most("mean_lift_max", c.mean_lift_max,
            "deviation from `check.mean_lift`, relative; as it is if that is 0"),
       from("shedding_from", c.shedding_from, "the wake counts from this T on, 0 if not written")};
@@ -306,8 +335,8 @@ std::vector<Key> of_cost(CheckSettings& c) {
 
 std::vector<Key> keys(CheckSettings& check) {
   std::vector<Key> all;
-  for (const auto part :
-       {against_references, of_forces, of_free_space, of_shedding, of_plunge, of_cost})
+  for (const auto part : {against_references, of_forces, of_free_space, of_periodic_flow,
+                          of_shedding, of_plunge, of_cost})
     for (Key& key : part(check)) all.push_back(std::move(key));
   return all;
 }

@@ -151,7 +151,7 @@ std::string Document::place(std::string_view key) const {
 }
 
 void Document::refuse(std::string_view key, std::string_view words) const {
-  throw InputError(fmt::format("{}: {}", place(key), words));
+  throw InputError(fmt::format("{}: {}", place(key.substr(0, key.find('['))), words));
 }
 
 }  // namespace vortree::io

@@ -22,7 +22,8 @@ class Document {
   [[nodiscard]] const toml::table& root() const { return root_; }
 
   /// Throws the InputError `place: words`. key is dotted ("flow.nu"), or a table, or empty for the
-  /// whole file; the place is the override that set it, or its line, or else the line of its table.
+  /// whole file; a place in an array, [1], and what follows, is left out. The place is the override
+  /// that set it, or its line, or else the line of its table.
   [[noreturn]] void refuse(std::string_view key, std::string_view words) const;
 
  private:

@@ -59,6 +59,8 @@ Text text_of(const OneOf& choice) {
   return number ? Text(in_quotes(choice.words[*number])) : std::nullopt;
 }
 
+Text text_of(const ListOfTables& list);
+
 /// Nobody has written or chosen it, since what the scene asks for does without.
 bool open(const Key& key) {
   const auto* number = std::get_if<double*>(&key.target);
@@ -68,6 +70,18 @@ bool open(const Key& key) {
 Text text_of(const Key& key) {
   if (open(key)) return std::nullopt;
   return std::visit([](const auto& target) { return text_of(target); }, key.target);
+}
+
+/// [{key = value, ...}, ...]
+Text text_of(const ListOfTables& list) {
+  std::vector<std::string> tables;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::vector<std::string> words;
+    for (const Key& key : list.keys(i))
+      if (const Text text = text_of(key)) words.push_back(fmt::format("{} = {}", key.name, *text));
+    tables.push_back(fmt::format("{{{}}}", fmt::join(words, ", ")));
+  }
+  return fmt::format("[{}]", fmt::join(tables, ", "));
 }
 
 /// `key = value` lines; unset optionals leave no trace.
@@ -102,9 +116,16 @@ std::string limits(const Key& key) {
   return (below ? low : "") + (below && above ? ", " : "") + (above ? high : "");
 }
 
+/// And, of a list of tables, those of their keys.
 std::string row(std::string_view name, const Key& key) {
-  return fmt::format("| `{}` | {} | {} | {} | {} |\n", name, usual(key), key.unit, limits(key),
-                     key.says);
+  std::string rows = fmt::format("| `{}` | {} | {} | {} | {} |\n", name, usual(key), key.unit,
+                                 limits(key), key.says);
+  const auto* list = std::get_if<ListOfTables>(&key.target);
+  if (!list) return rows;
+  list->resize(1);
+  for (const Key& own : list->keys(0)) rows += row(fmt::format("{}.{}", name, own.name), own);
+  list->resize(0);
+  return rows;
 }
 
 }  // namespace

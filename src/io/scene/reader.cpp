@@ -127,6 +127,21 @@ void read(const Value& value, T* target, const Rule& rule) {
   read(value, *target, rule);
 }
 
+void read_table(const Document& document, std::string_view name, const toml::table& table,
+                const std::vector<Key>& keys);
+
+void read(const Value& value, const ListOfTables& target, const Rule&) {
+  const toml::array* all = value.node.as_array();
+  if (!all || !all->is_homogeneous(toml::node_type::table)) {
+    if (!all || !all->empty()) value.expected("an array of tables");
+  }
+  target.resize(all->size());
+  for (std::size_t i = 0; i < all->size(); ++i) {
+    const Value one = value.element(i);
+    read_table(value.document, one.name, *one.node.as_table(), target.keys(i));
+  }
+}
+
 void read(const Value& value, const Key& key) {
   std::visit([&](const auto& target) { read(value, target, key.rule); }, key.target);
 }

@@ -19,7 +19,8 @@ enum class ExactAnswer {
   kirchhoff_ellipse,
   corotating_pair,
   dipole,
-  spinning_cylinder
+  spinning_cylinder,
+  taylor_green
 };
 
 }  // namespace vortree::io
@@ -28,8 +29,9 @@ enum class ExactAnswer {
 namespace vortree {
 
 template <>
-inline constexpr std::array<std::string_view, 5> words_of<io::ExactAnswer>{
-    "lamb_oseen", "kirchhoff_ellipse", "corotating_pair", "dipole", "spinning_cylinder"};
+inline constexpr std::array<std::string_view, 6> words_of<io::ExactAnswer>{
+    "lamb_oseen", "kirchhoff_ellipse", "corotating_pair",
+    "dipole",     "spinning_cylinder", "taylor_green"};
 
 }  // namespace vortree
 
@@ -53,6 +55,7 @@ struct CheckSettings {
   std::optional<ExactAnswer> exact{};
   std::optional<double> vorticity_max{}, velocity_max{}, second_moment_max{};
   std::optional<double> circulation_max{}, impulse_max{};
+  std::optional<double> velocity_rms{}, pressure_rms{}, volume_max{}, momentum_max{};
   std::optional<std::string> moments_reference{};
   std::optional<double> quadrupole_max{}, separation_max{};
   std::optional<double> rotation_max{}, speed_max{}, merger_max{}, energy_max{};

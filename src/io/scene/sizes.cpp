@@ -42,6 +42,11 @@ std::span<const double> numbers(std::optional<T>* value) {
 
 /// Refuses numbers out of proportion.
 void hold_sizes(const Document& document, std::string_view name, const Key& key) {
+  if (const auto* list = std::get_if<ListOfTables>(&key.target)) {
+    for (std::size_t i = 0; i < list->size(); ++i)
+      for (const Key& own : list->keys(i)) hold_sizes(document, name, own);
+    return;
+  }
   const auto real = std::visit([](const auto& target) { return numbers(target); }, key.target);
   for (const double value : real) hold_size(document, name, value);
 }

@@ -36,7 +36,7 @@ std::size_t Population::add_among(std::size_t node, Vec2 by, double spacing) {
 
 std::size_t Population::merge(std::size_t i, std::size_t j) {
   const double a = cloud_.volume(i), b = cloud_.volume(j), share = a / (a + b);
-  const Vec2 apart = cloud_.at(j) - cloud_.at(i);
+  const Vec2 apart = nearest_image(cloud_.at(j) - cloud_.at(i), period_);
   auto values = carried_at(cloud_, i, slopes_[i], (1 - share) * apart);
   const auto others = carried_at(cloud_, j, slopes_[j], -share * apart);
   for (std::size_t field = 0; field < carried_count; ++field)

@@ -12,8 +12,14 @@ namespace vortree::sph {
 /// have moved since by a fraction of their spacing.
 class Population {
  public:
-  Population(Cloud& cloud, const Stencils& stencils, const std::vector<Slopes>& slopes)
-      : cloud_(cloud), stencils_(stencils), slopes_(slopes), gone_(cloud.size(), 0) {}
+  /// period   sides of a periodic domain [L]; 0: not periodic
+  Population(Cloud& cloud, const Stencils& stencils, const std::vector<Slopes>& slopes,
+             double period = 0)
+      : cloud_(cloud),
+        stencils_(stencils),
+        slopes_(slopes),
+        period_(period),
+        gone_(cloud.size(), 0) {}
 
   /// Those that had neighbors when the step began.
   [[nodiscard]] std::size_t old() const { return stencils_.size(); }
@@ -22,13 +28,15 @@ class Population {
   [[nodiscard]] double filling(std::size_t i) const { return stencils_.filling(i); }
   [[nodiscard]] double nearest(std::size_t i) const { return stencils_.nearest(i); }
 
+  [[nodiscard]] double vorticity(std::size_t i) const { return sph::vorticity(slopes_[i]); }
+
   [[nodiscard]] std::vector<char> beside_edge() const { return stencils_.beside_edge(cloud_); }
 
   /// For each old neighbor that is still there: use(j, where it is now as seen from i).
   template <class Use>
   void for_each_neighbor(std::size_t i, const Use& use) const {
     stencils_.for_each(i, [&](std::size_t j, std::size_t) {
-      if (!gone_[j]) use(j, cloud_.at(j) - cloud_.at(i));
+      if (!gone_[j]) use(j, nearest_image(cloud_.at(j) - cloud_.at(i), period_));
     });
   }
 
@@ -52,6 +60,7 @@ class Population {
   Cloud& cloud_;
   const Stencils& stencils_;
   const std::vector<Slopes>& slopes_;
+  double period_;
   std::vector<char> gone_;
 };
 

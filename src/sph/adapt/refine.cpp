@@ -63,12 +63,12 @@ std::size_t partner(const Population& population, std::size_t i, double wanted,
 
 }  // namespace
 
-void refine(Population& population, const WantedSpacing& wanted) {
+void refine(Population& population, const std::vector<double>& wanted) {
   const Cloud& cloud = population.cloud();
   std::vector<char> taken(population.old(), 0);
   for (std::size_t i = 0; i < population.old(); ++i) {
     if (!cloud.free(i) || population.gone(i) || taken[i]) continue;
-    const double s = wanted.at(cloud.at(i)), volume = s * s, own = cloud.volume(i);
+    const double volume = wanted[i] * wanted[i], own = cloud.volume(i);
     if (own > split_above * volume) {
       taken[i] = 1;
       if (own > split_in_four_above * volume)
@@ -84,14 +84,14 @@ void refine(Population& population, const WantedSpacing& wanted) {
   }
 }
 
-void correct_volumes(Population& population, const WantedSpacing& wanted) {
+void correct_volumes(Population& population, const std::vector<double>& wanted) {
   const Cloud& cloud = population.cloud();
   const std::size_t n = population.old();
   const std::vector<char> beside = population.beside_edge();
   std::vector<double> share(n, 1), spacing(cloud.spacing.begin(), cloud.spacing.begin() + n);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < n; ++i)
-    if (cloud.free(i)) share[i] = std::pow(cloud.spacing[i] / wanted.at(cloud.at(i)), 2);
+    if (cloud.free(i)) share[i] = std::pow(cloud.spacing[i] / wanted[i], 2);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < n; ++i) {
     if (!cloud.free(i)) continue;

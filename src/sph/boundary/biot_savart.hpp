@@ -56,8 +56,8 @@ class BiotSavart {
   void velocity(const std::vector<double>& x, const std::vector<double>& y, Vec2 stream,
                 std::span<double> u, std::span<double> v) const;
 
-  /// Amid the vorticity, without the stream: particles have Gaussian cores of 1.5 of their spacings,
-  /// what has left those of the outlet's.
+  /// Amid the vorticity, without the stream: particles have Gaussian cores of 1.5 spacings, and
+  /// what has left of as many of the outlet's.
   void velocity_among(const std::vector<double>& x, const std::vector<double>& y,
                       std::span<double> u, std::span<double> v) const;
 

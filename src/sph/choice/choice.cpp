@@ -46,24 +46,51 @@ bool beyond_box(const SphCase& scene) {
   return spacing_at_box(scene) < 0.6 * scene.sph.spacing * std::exp2(scene.sph.levels - 1);
 }
 
+/// A step is as long as the fastest particle may go.
+void choose_step(flow::Case& of, const SphSettings& own, double speed,
+                 const flow::Written& written) {
+  if (!written("time", "dt") && speed > 0)
+    of.time.dt = flow::fitted_step(of, own.courant * finest_of(own) / speed);
+}
+
+/// That of all, and of regions that do not say their own.
+void complete_spacing(SphSettings& own) {
+  if (!(own.spacing > 0))
+    throw Refused("sph.spacing",
+                  "sph.spacing is neither written nor chosen; write it, or accuracy, as 0.01");
+  for (RegionSettings& region : own.regions)
+    if (region.spacing == 0) region.spacing = own.spacing;
+}
+
+/// Of a flow that is the same again after each wavelength.
+void choose_periodic(flow::Case& of, const flow::PeriodicFlow& flow, SphSettings& own,
+                     const flow::Written& written) {
+  const auto open = [&](std::string_view key) { return !written("sph", key); };
+  const double L = flow.wavelength;
+  const auto [x, y] = of.initial->centre;
+  if (open("spacing") && of.accuracy) own.spacing = L / std::ceil(std::sqrt(2 / *of.accuracy));
+  complete_spacing(own);
+  if (open("levels")) own.levels = 1;
+  if (open("box")) own.box = {x, y, x + L, y + L};
+  choose_step(of, own, flow.speed, written);
+}
+
 }  // namespace
 
 void choose_missing(flow::Case& of, SphSettings& own, const flow::Written& written) {
   const auto open = [&](std::string_view key) { return !written("sph", key); };
+  if (open("reach")) own.reach = wide(own) ? 3.9 : 2.8;
+  if (const auto periodic = flow::periodic_flow_of(of))
+    return choose_periodic(of, *periodic, own, written);
   if (!of.body) return;
   const double length = body::length_of(*of.body);
   if (open("spacing") && of.accuracy) own.spacing = fitting_spacing(of, *of.accuracy) * length;
-  if (!(own.spacing > 0))
-    throw Refused("sph.spacing",
-                  "sph.spacing is neither written nor chosen; write it, or accuracy, as 0.01");
+  complete_spacing(own);
   if (open("levels")) own.levels = usual_levels(own.spacing, length);
   if (open("zone")) own.zone = std::max(length / 2, own.rings * own.spacing);
   if (open("box")) own.box = usual_box(of);
   while (open("levels") && own.levels > 1 && beyond_box({of, own})) --own.levels;
-  if (open("reach")) own.reach = wide(own) ? 3.9 : 2.8;
-  const double speed = flow::fastest_of(of);
-  if (!written("time", "dt") && speed > 0)
-    of.time.dt = flow::fitted_step(of, own.courant * own.spacing / speed);
+  choose_step(of, own, flow::fastest_of(of), written);
 }
 
 }  // namespace vortree::sph

@@ -8,12 +8,17 @@ namespace vortree::sph {
 inline constexpr double bytes_of_particle = 5000;
 
 /// How many particles a flow begins with: the integral of 1/s^2 over the box without the body, s as
-/// wanted, the body taken for a circle of its perimeter.
-/// error  a tenth
+/// wanted, the body taken for a circle of its perimeter; what each region has more, taken for a
+/// circle of its area. What vorticity asks for does not count.
+/// error  a tenth; regions that overlap count twice, and one whose spacing is that of no level
+///        begins with half to twice as many
 [[nodiscard]] double expected_particles(const SphCase& scene);
 
 /// The spacing that is wanted at the nearest side of the box, the body taken for a circle as above.
 [[nodiscard]] double spacing_at_box(const SphCase& scene);
+
+/// The finest that regions want at a node of the box.
+[[nodiscard]] double spacing_by_regions_at_box(const SphCase& scene);
 
 /// Mean thickness of the body, its area over its length [L].
 [[nodiscard]] double thickness_of(const body::BodySettings& body);

@@ -23,8 +23,28 @@ bool plunges_upstream(const SphCase& scene) {
   return std::abs(u * fastest.x + v * fastest.y) >= u * u + v * v;
 }
 
+bool periodic(const SphCase& scene) {
+  return scene.sph.outside == Outside::periodic;
+}
+
+/// A box goes with a body, a periodic one with a flow that fills the plane.
+void refuse_outside(const SphCase& scene) {
+  const bool fills = scene.initial && scene.initial->kind->periodic;
+  if (fills && !periodic(scene))
+    throw Refused("sph.outside",
+                  fmt::format("sph.outside is \"{}\"; for initial.kind = \"{}\", \"periodic\" was "
+                              "expected",
+                              word(scene.sph.outside), scene.initial->kind->name));
+  if (periodic(scene) && !fills)
+    throw Refused("sph.outside",
+                  fmt::format("sph.outside is \"periodic\"; that needs [initial] with a flow that "
+                              "fills the plane, as \"taylor_green\"{}",
+                              scene.body ? ", and no [body]" : ""));
+  if (!fills && !scene.body) throw Refused("method", "method is \"sph\", which needs a [body]");
+}
+
 void refuse_flow(const SphCase& scene) {
-  if (!scene.body) throw Refused("method", "method is \"sph\", which needs a [body]");
+  refuse_outside(scene);
   if (!(scene.flow.nu > 0)) throw Refused("flow.nu", "flow.nu is 0; SPH needs a viscosity > 0");
   if (plunges_upstream(scene))
     throw Refused(
@@ -86,13 +106,67 @@ void refuse_box(const SphCase& scene) {
                     own.levels, spacing_at_box(scene), coarsest));
 }
 
+/// Regions must be finer than what is there, but not than the body's own particles, and leave nodes
+/// of the box no neighbors much finer than themselves.
+void refuse_regions(const SphCase& scene) {
+  const double coarsest = coarsest_of(scene.sph);
+  for (const RegionSettings& region : scene.sph.regions) {
+    if (scene.body && region.spacing < scene.sph.spacing)
+      throw Refused("sph.region",
+                    fmt::format("sph.region.spacing is {}; no particles are finer than those at "
+                                "the body, sph.spacing = {} or more was expected",
+                                region.spacing, scene.sph.spacing));
+    if (region.spacing > coarsest)
+      throw Refused("sph.region",
+                    fmt::format("sph.region.spacing is {}; the widest that particles are anywhere, "
+                                "{:.3g}, or less was expected",
+                                region.spacing, coarsest));
+  }
+  if (scene.sph.regions.empty() || periodic(scene)) return;
+  if (const double least = spacing_by_regions_at_box(scene); least < 0.5 * coarsest)
+    throw Refused("sph.region",
+                  fmt::format("sph.region asks for particles {:.3g} apart at a side of sph.box, "
+                              "less than half the widest spacing, {:.3g}: a region farther inside "
+                              "was expected",
+                              least, coarsest));
+}
+
+/// Opposite sides are one: of the particles and of the flow.
+void refuse_periodic_box(const SphCase& scene, double wavelength) {
+  const auto [x0, y0, x1, y1] = *scene.sph.box;
+  const double side = x1 - x0, waves = side / wavelength, slack = 1e-9 * std::abs(side);
+  if (!(std::abs(y1 - y0 - side) <= slack && waves > 0.5 &&
+        std::abs(waves - std::round(waves)) < 1e-9))
+    throw Refused("sph.box", fmt::format("sph.box is [{}, {}, {}, {}]; if it is periodic, a square "
+                                         "of whole wavelengths of {} was expected",
+                                         x0, y0, x1, y1, wavelength));
+  if (const double most = wavelength / 8; coarsest_of(scene.sph) > most * (1 + 1e-9))
+    throw Refused("sph.spacing",
+                  fmt::format("sph.spacing is {} and sph.levels is {}, so that particles are up to "
+                              "{:.3g} apart; an eighth of initial.wavelength, {:.3g}, or less was "
+                              "expected",
+                              scene.sph.spacing, scene.sph.levels, coarsest_of(scene.sph), most));
+}
+
+void refuse_periodic(const SphCase& scene) {
+  refuse_periodic_box(scene, flow::periodic_flow_of(scene)->wavelength);
+  if (scene.flow.stream != Pair{0, 0})
+    throw Refused("flow.stream",
+                  fmt::format("flow.stream is [{}, {}]; fluid in a periodic box has none beside "
+                              "[initial], [0, 0] was expected",
+                              scene.flow.stream[0], scene.flow.stream[1]));
+}
+
 }  // namespace
 
 void refuse_senseless(const SphCase& scene) {
   refuse_flow(scene);
   refuse_operators(scene.sph);
-  refuse_spacing(scene);
-  refuse_box(scene);
+  if (periodic(scene))
+    refuse_periodic(scene);
+  else
+    refuse_spacing(scene), refuse_box(scene);
+  refuse_regions(scene);
 }
 
 void refuse_beyond(const SphCase& scene, double memory) {

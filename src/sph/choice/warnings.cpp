@@ -94,11 +94,9 @@ void doubt_neighbors(flow::Warnings& list, const SphCase& scene) {
 
 flow::Warnings warnings(const SphCase& scene) {
   flow::Warnings list;
-  doubt_spacing(list, scene);
-  doubt_thickness(list, scene);
+  if (scene.body) doubt_spacing(list, scene), doubt_thickness(list, scene);
   doubt_motion(list, scene.sph);
-  doubt_box(list, scene);
-  doubt_sides(list, scene);
+  if (scene.body) doubt_box(list, scene), doubt_sides(list, scene);
   doubt_neighbors(list, scene);
   return list;
 }

@@ -1,6 +1,7 @@
 #include "sph/cloud/cloud.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "tree/order/sort.hpp"
@@ -43,6 +44,20 @@ void Cloud::reorder(std::span<const std::uint32_t> order) {
     const auto before = column;
     for (std::size_t i = 0; i < order.size(); ++i) column[i] = before[order[i]];
   });
+}
+
+Vec2 nearest_image(Vec2 apart, double period) {
+  if (period == 0) return apart;
+  return apart - period * Vec2{std::round(apart.x / period), std::round(apart.y / period)};
+}
+
+double wrapped(double x, double period) {
+  return period == 0 ? x : x - period * std::floor(x / period);
+}
+
+void wrap(Cloud& cloud, double period) {
+  for (std::vector<double>* of : {&cloud.x, &cloud.y})
+    for (double& x : *of) x = wrapped(x, period);
 }
 
 std::vector<std::uint32_t> in_order(const Cloud& cloud, ParticleKind kind) {

@@ -77,6 +77,17 @@ inline constexpr std::array carried{&Cloud::u, &Cloud::v, &Cloud::u_before, &Clo
                                     &Cloud::p};
 inline constexpr std::size_t carried_count = carried.size();
 
+/// A distance to the nearest of all that are a whole number of periods away; as it is if the period
+/// is 0.
+[[nodiscard]] Vec2 nearest_image(Vec2 apart, double period);
+
+/// The same place within 0 and the period; as it is if that is 0.
+[[nodiscard]] double wrapped(double x, double period);
+
+/// Puts particles back into the periodic square from the origin to (period, period); leaves them
+/// if that is 0.
+void wrap(Cloud& cloud, double period);
+
 /// The nodes of a boundary, by their places.
 [[nodiscard]] std::vector<std::uint32_t> in_order(const Cloud& cloud, ParticleKind kind);
 

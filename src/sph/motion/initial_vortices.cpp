@@ -12,12 +12,12 @@ namespace {
 
 constexpr double width_of_core = 1.0 / 6, faintest = 1e-9;  // of half widths; of the strongest
 
-struct Cores {
+struct InitialCores {
   std::vector<double> x, y, gamma, sigma;
 };
 
 /// Cuts a patch into cores as wide as they are apart.
-void cut(Cores& cores, const flow::Patch& patch, Vec2 middle) {
+void cut(InitialCores& cores, const flow::Patch& patch, Vec2 middle) {
   const double h = width_of_core * std::min(patch.half.x, patch.half.y);
   const Vec2 reach = patch.extent(faintest, h, h);
   const int columns = static_cast<int>(reach.x / h) + 1, rows = static_cast<int>(reach.y / h) + 1;
@@ -38,7 +38,7 @@ void cut(Cores& cores, const flow::Patch& patch, Vec2 middle) {
 
 double add_initial_vortices(Cloud& cloud, const flow::InitialSettings& initial, Vec2 seen_from) {
   const Vec2 centre = Vec2{initial.centre[0], initial.centre[1]} - seen_from;
-  Cores cores;
+  InitialCores cores;
   for (const flow::Patch& patch : initial.kind->patches(initial))
     cut(cores, patch, centre + patch.offset);
   const fmm::Plan plan({cores.x, cores.y, cores.gamma, cores.sigma}, {.tolerance = 1e-6});

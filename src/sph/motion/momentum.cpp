@@ -12,7 +12,7 @@ namespace vortree::sph {
 namespace {
 
 /// u.grad u at a particle.
-Vec2 convection(const Velocities& of, const Stencils& stencils, std::size_t i) {
+Vec2 convection(const StepVelocities& of, const Stencils& stencils, std::size_t i) {
   Vec2 sum{};
   const Vec2 u = of.at(i);
   stencils.for_each(i, [&](std::size_t j, std::size_t slot) {
@@ -53,7 +53,7 @@ Iterations Momentum::solve(Cloud& cloud, const Stencils& stencils, const Operato
     hu_[i] = wall ? at_wall.x : step.b1() * cloud.u[i] - step.b2() * cloud.u_before[i];
     hv_[i] = wall ? at_wall.y : step.b1() * cloud.v[i] - step.b2() * cloud.v_before[i];
   }
-  const Velocities now{cloud.u, cloud.v};
+  const StepVelocities now{cloud.u, cloud.v};
   set_boundary(cloud, input);
   fits_.renew(cloud, stencils, options);
   set_slopes(cloud, now, stencils, input);
@@ -104,8 +104,8 @@ void Momentum::set_boundary(Cloud& cloud, const MomentumInput& input) {
   for (std::size_t k = 0; k < outer.size(); ++k) cloud.u[outer[k]] = u[k], cloud.v[outer[k]] = v[k];
 }
 
-void Momentum::set_outlet(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
-                          const MomentumInput& input) {
+void Momentum::set_outlet(const Cloud& cloud, const StepVelocities& before,
+                          const Stencils& stencils, const MomentumInput& input) {
   const bool known = along_outlet.size() == outlet_.size();
   along_outlet.resize(outlet_.size());
   double sum = 0, rate_before = 0;
@@ -127,8 +127,8 @@ void Momentum::set_outlet(const Cloud& cloud, const Velocities& before, const St
   }
 }
 
-void Momentum::set_slopes(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
-                          const MomentumInput& input) {
+void Momentum::set_slopes(const Cloud& cloud, const StepVelocities& before,
+                          const Stencils& stencils, const MomentumInput& input) {
   const TimeStep& step = input.step;
   for (const BoundaryFits::Node& node : fits_.nodes()) {
     const auto i = static_cast<std::size_t>(node.particle);

@@ -34,7 +34,7 @@ struct MomentumInput {
 /// Of all particles at one time. What a node at the edge has at the end of a step must not meet
 /// what fluid beside it has at its beginning: their difference over a spacing would be as large as
 /// the change in time.
-struct Velocities {
+struct StepVelocities {
   std::vector<double> u, v;
   [[nodiscard]] Vec2 at(std::size_t i) const { return {u[i], v[i]}; }
 };
@@ -53,8 +53,8 @@ struct Iterations {
 ///   (b0 - nu dt lap) u = h - dt grad p,   wall u = u_wall, outer by far field, outlet nu = 0
 ///
 /// In h the wall carries b0 u_wall. The outlet's pressure balances the momentum along it, tau; u_b
-/// is the velocity of the far field and the stream. Convection at the box is that of t. Bernoulli's law instead lets a wake's own velocity feed
-/// the pressure that drives it.
+/// is what all vorticity and the stream make there. Bernoulli's law instead lets a wake's own
+/// velocity feed the pressure that drives it. Convection at the box is that of t.
 ///
 /// error    second order in dt and, with degree 2, in s
 /// source   Karniadakis, Israeli & Orszag, J. Comput. Phys. 97 (1991), for the slope at walls
@@ -70,9 +70,9 @@ class Momentum {
 
  private:
   void set_boundary(Cloud& cloud, const MomentumInput& input);
-  void set_outlet(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
+  void set_outlet(const Cloud& cloud, const StepVelocities& before, const Stencils& stencils,
                   const MomentumInput& input);
-  void set_slopes(const Cloud& cloud, const Velocities& before, const Stencils& stencils,
+  void set_slopes(const Cloud& cloud, const StepVelocities& before, const Stencils& stencils,
                   const MomentumInput& input);
   int diffuse(Cloud& cloud, const Stencils& stencils, const MomentumInput& input);
 

@@ -29,7 +29,8 @@ inline constexpr double start_tolerance = 1e-7;
 /// not count for the far field.
 inline constexpr double edge_share = 0.15;
 
-/// The first step of a run, in those of the scene, and how fast steps may grow from there.
+/// The first step from an impulsive start, in those of the scene, and how fast steps may grow from
+/// there.
 inline constexpr double first_step = 0.1, step_growth = 1.2;
 
 /// Steps are shortened where a particle would move more than so many Courant numbers: fluid is up

@@ -15,6 +15,7 @@ void PeriodicImages::renew(tree::Points points, std::span<const double> reach_,
   std::iota(of.begin(), of.end(), 0);
   number_.swap(before_);
   number_.assign(copies * n, -1);
+  if (side == 0) return;
   std::size_t copy = 0;
   for (int a = -1; a <= 1; ++a)
     for (int b = -1; b <= 1; ++b, ++copy)

@@ -19,6 +19,7 @@ struct PeriodicImages {
   std::vector<std::int32_t> of, was;
 
   /// was_   of the particles, as above
+  /// side   of the square; 0: no images
   void renew(tree::Points points, std::span<const double> reach_,
              std::span<const std::int32_t> was_, double side);
 

@@ -1,5 +1,6 @@
 #include "sph/operators/interpolate.hpp"
 
+#include "sph/neighbors/periodic_images.hpp"
 #include "tree/neighbors/neighbors.hpp"
 
 namespace vortree::sph {
@@ -16,15 +17,20 @@ double vorticity_at(const Slopes& of, Vec2 by) {
 }  // namespace
 
 Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
-                         std::span<const std::uint32_t> chosen, tree::Points at) {
-  const std::size_t n = chosen.size(), m = at.size();
-  std::vector<double> x(n), y(n), reach(n + m, 0);
-  for (std::size_t k = 0; k < n; ++k) {
-    x[k] = cloud.x[chosen[k]], y[k] = cloud.y[chosen[k]];
-    reach[k] = 2 * radius * cloud.spacing[chosen[k]];  // the mean with 0 is half of it
+                         std::span<const std::uint32_t> chosen, tree::Points at, double period) {
+  const std::size_t m = at.size();
+  std::vector<double> x, y, reach;
+  for (const std::uint32_t i : chosen) {
+    x.push_back(cloud.x[i]), y.push_back(cloud.y[i]);
+    reach.push_back(2 * radius * cloud.spacing[i]);  // the mean with 0 is half of it
   }
-  x.insert(x.end(), at.x.begin(), at.x.end()), y.insert(y.end(), at.y.begin(), at.y.end());
-  const tree::PairList rows = tree::neighbors({x, y}, reach, tree::PairRule::mean);
+  PeriodicImages all;
+  all.renew({x, y}, reach, std::vector<std::int32_t>(chosen.size(), -1), period);
+  const std::size_t n = all.of.size();
+  all.x.insert(all.x.end(), at.x.begin(), at.x.end());
+  all.y.insert(all.y.end(), at.y.begin(), at.y.end());
+  all.reach.resize(n + m, 0);
+  const tree::PairList rows = tree::neighbors({all.x, all.y}, all.reach, tree::PairRule::mean);
   Interpolated of{std::vector<double>(m), std::vector<double>(m), std::vector<double>(m),
                   std::vector<char>(m)};
 #pragma omp parallel for schedule(static)
@@ -32,8 +38,8 @@ Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
     double sum = 0;
     for (const std::int32_t row : rows.row(n + k)) {
       if (static_cast<std::size_t>(row) >= n) continue;
-      const std::size_t j = chosen[static_cast<std::size_t>(row)];
-      const Vec2 by{at.x[k] - cloud.x[j], at.y[k] - cloud.y[j]};
+      const std::size_t j = chosen[static_cast<std::size_t>(all.of[row])];
+      const Vec2 by{at.x[k] - all.x[row], at.y[k] - all.y[row]};
       const double t = 1 - dot(by, by) / (radius * radius * cloud.volume(j)), w = t * t * t;
       sum += w;
       of.u[k] += w * (cloud.u[j] + slopes[j][0].change(by));

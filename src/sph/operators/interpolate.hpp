@@ -23,9 +23,11 @@ struct Interpolated {
 ///
 ///   u(x) = sum_j w_j (u_j + change_j(x - x_j)) / sum_j w_j
 ///
+/// period  of a periodic square from the origin on, in which the points are; 0: none
 /// error   O(s^3) of velocities, O(s^2) of the vorticity, with slopes of degree 2
 /// cost    a neighbor search of particles and points
 [[nodiscard]] Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
-                                       std::span<const std::uint32_t> chosen, tree::Points at);
+                                       std::span<const std::uint32_t> chosen, tree::Points at,
+                                       double period = 0);
 
 }  // namespace vortree::sph

@@ -71,6 +71,11 @@ Choice free_vortex(const VortexCase& scene, double e) {
 }  // namespace
 
 void choose_missing(flow::Case& of, VortexSettings& own, const flow::Written& written) {
+  if (of.initial && of.initial->kind->periodic)
+    throw Refused("initial.kind",
+                  fmt::format("initial.kind is \"{}\", which fills the plane; it is known to "
+                              "method = \"sph\" with sph.outside = \"periodic\" only",
+                              of.initial->kind->name));
   const bool body = of.body && flow::speed_of(of) > 0;
   if (of.accuracy && ((body && of.flow.nu > 0) || of.initial)) {
     const double e = *of.accuracy;

@@ -35,7 +35,8 @@ namespace vortree::vortex {
 ///   makes up for,
 ///   merging.tolerance = 0.02 e L omega,  velocity.tolerance = e/1000
 ///
-/// throws  Refused if a needed key is neither written nor chosen
+/// throws  Refused if a needed key is neither written nor chosen, and for an initial flow that
+///         fills the plane
 void choose_missing(flow::Case& of, VortexSettings& own, const flow::Written& written);
 
 }  // namespace vortree::vortex

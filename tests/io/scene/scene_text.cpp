@@ -97,5 +97,5 @@ TEST_CASE("the page of keys gives the defaults that the program has") {
     }
   }
   CHECK(given >= 20);
-  CHECK(required >= 7);
+  CHECK(required >= 5);
 }

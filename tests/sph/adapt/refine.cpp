@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "body/shapes/circle.hpp"
+#include "sph/adapt/wishes.hpp"
 #include "sph/operators/clouds.hpp"
 
 using namespace vortree;
@@ -35,7 +36,7 @@ void refine_once(Cloud& cloud, const WantedSpacing& wanted) {
   std::vector<Slopes> slopes;
   find_slopes(cloud, stencils, slopes);
   Population population(cloud, stencils, slopes);
-  refine(population, wanted);
+  refine(population, wishes(population, wanted));
   population.finish();
 }
 
@@ -45,8 +46,9 @@ void correct(Cloud& cloud, int rounds) {
   Stencils stencils;
   for (int round = 0; round < rounds; ++round) {
     stencils.renew(cloud, {2, 2.8, 1});
-    Population population(cloud, stencils, slopes);
-    correct_volumes(population, everywhere(std::sqrt(1.0 / static_cast<double>(cloud.size()))));
+    Population population(cloud, stencils, slopes, 1);
+    const double spacing = std::sqrt(1.0 / static_cast<double>(cloud.size()));
+    correct_volumes(population, wishes(population, everywhere(spacing)));
     population.finish();
   }
 }
@@ -175,7 +177,7 @@ TEST_CASE("volumes beside the outer boundary even out alone, and those of nodes 
   stencils.renew(cloud, {});
   const std::vector<Slopes> slopes(cloud.size());
   Population population(cloud, stencils, slopes);
-  correct_volumes(population, everywhere(0.1));
+  correct_volumes(population, wishes(population, everywhere(0.1)));
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (!cloud.free(i)) CHECK(cloud.spacing[i] == 0.1);
     bool beside = false;

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "body/shapes/circle.hpp"
 #include "body/shapes/ellipse.hpp"
@@ -44,9 +45,54 @@ TEST_CASE("the wanted spacing is continuous, and nowhere steeper than two in a r
   }
 }
 
-TEST_CASE("one level, and no body, want the same spacing everywhere") {
+TEST_CASE("one level, and no body, want the coarsest spacing everywhere") {
   const std::shared_ptr<const body::Shape> circle = body::circle({}, 0.5);
-  for (const WantedSpacing& wanted :
-       {WantedSpacing(circle, 0.1, 1, 0.5, 2), WantedSpacing(nullptr, 0.1, 3, 0.5, 2)})
-    for (const double x : {0.0, 0.6, 5.0}) CHECK(wanted.at({x, 0}) == 0.1);
+  for (const double x : {0.0, 0.6, 5.0}) {
+    CHECK(WantedSpacing(circle, 0.1, 1, 0.5, 2).at({x, 0}) == 0.1);
+    CHECK(WantedSpacing(nullptr, 0.1, 3, 0.5, 2).at({x, 0}) == 0.4);
+  }
+}
+
+TEST_CASE("within an ellipse particles are as fine as it asks for, and wider from there on") {
+  WantedSpacing wanted(nullptr, 0.1, 2, 0, 2);
+  wanted.add_ellipse({1, 2}, {0.5, 0.1}, std::numbers::pi / 6, 0.05);
+  CHECK(wanted.finest() == 0.05);
+  CHECK(wanted.coarsest() == 0.2);
+  const Vec2 along{std::sqrt(0.75), 0.5}, across{-0.5, std::sqrt(0.75)}, middle{1, 2};
+  for (const double inside : {-0.99, 0.0, 0.5, 0.99}) {
+    CHECK(wanted.at(middle + 0.5 * inside * along) == 0.05);
+    CHECK(wanted.at(middle + 0.1 * inside * across) == 0.05);
+  }
+  // From 0 to d_1 = 2 s_0 it doubles, to d_2 = 10 s_0 once more.
+  CHECK(wanted.at(middle + (0.5 + 0.05) * along) == Approx(0.075).epsilon(1e-6));
+  CHECK(wanted.at(middle + (0.1 + 0.1) * across) == Approx(0.1).epsilon(1e-6));
+  CHECK(wanted.at(middle + (0.1 + 0.3) * across) == Approx(0.15).epsilon(1e-6));
+  CHECK(wanted.at(middle + (0.1 + 0.6) * across) == 0.2);
+}
+
+TEST_CASE("the finest of several wishes counts, none steeper than a half") {
+  const std::shared_ptr<const body::Shape> circle = body::circle({}, 0.5);
+  WantedSpacing wanted(circle, 0.02, 5, 0.1, 2);
+  const WantedSpacing beside_body = wanted;
+  wanted.add_ellipse({1.5, 0}, {0.6, 0.2}, 0.3, 0.03);
+  wanted.add_ellipse({1.9, 0}, {0.1, 0.1}, 0, 0.01);
+  CHECK(wanted.at({1.9, 0}) == 0.01);
+  CHECK(wanted.at({1.4, 0}) == 0.03);
+  CHECK(wanted.at({0.55, 0}) == 0.02);
+  const double step = 1e-3;
+  double before = wanted.at({-3, 0.05});
+  for (double x = -3 + step; x < 4; x += step) {
+    const double now = wanted.at({x, 0.05});
+    REQUIRE(now <= beside_body.at({x, 0.05}));
+    REQUIRE(std::abs(now - before) <= 0.5 * step * (1 + 1e-9));
+    before = now;
+  }
+}
+
+TEST_CASE("a region of a periodic domain is there again after each period") {
+  WantedSpacing wanted(nullptr, 0.1, 1, 0, 2, 1);
+  wanted.add_ellipse({0.05, 0.5}, {0.1, 0.1}, 0, 0.05);
+  for (const double x : {0.0, 0.96, 1.0, 0.1}) CHECK(wanted.at({x, 0.5}) == 0.05);
+  CHECK(wanted.at({0.9, 0.5}) == Approx(wanted.at({0.2, 0.5})).epsilon(1e-12));
+  CHECK(wanted.at({0.5, 0.5}) == 0.1);
 }

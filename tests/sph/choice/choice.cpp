@@ -1,7 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "sph/solver/scene.hpp"
+#include "sph/choice/cost.hpp"
+#include "sph/solver/periodic.hpp"
 
 using namespace vortree;
 using namespace vortree::sph::test;
@@ -119,6 +120,94 @@ TEST_CASE("SPH refuses what it cannot compute, in words with numbers") {
     scene.set("spacing", 0.05).set("box", Box{5, 5, -5, -5});
     CHECK_THROWS_WITH(scene.choose(), Contains("sph.box"));
   }
+}
+
+TEST_CASE("a flow that fills the plane chooses box, levels and step by its wavelength and speed") {
+  SphScene scene = vortices(32);
+  scene.of.initial->centre = {3, -1};
+  scene.choose();
+  CHECK(scene.box() == Box{3, -1, 4, 0});
+  CHECK(scene.number("levels") == 1);
+  CHECK(scene.of.time.dt == Approx(0.5 / 80).epsilon(1e-12));  // 0.2/32 = 0.5/80
+  SphScene accurate = vortices(32);
+  accurate.of.accuracy = 2e-3;
+  accurate.written.erase("sph.spacing");
+  CHECK(accurate.choose().number("spacing") == Approx(1.0 / 32).epsilon(1e-12));
+  // The finest goes by.
+  CHECK(vortices(32).region({0, 0}, {0.1, 0.1}, 0.01).choose().of.time.dt <= 0.2 * 0.01);
+}
+
+TEST_CASE("what cannot be meant of periodic boxes and regions is refused, in words with numbers") {
+  SphScene scene = vortices(32);
+  SECTION("a periodic box with a body") {
+    scene.of.initial.reset();
+    scene.of.body = vortree::test::circle(0.5);
+    CHECK_THROWS_WITH(scene.choose(),
+                      Contains("sph.outside is \"periodic\"") && Contains("no [body]"));
+  }
+  SECTION("a flow that fills the plane, but not the box") {
+    scene.set("outside", sph::Outside::free);
+    CHECK_THROWS_WITH(scene.choose(), Contains("sph.outside is \"free\"; for initial.kind = "
+                                               "\"taylor_green\", \"periodic\" was expected"));
+  }
+  SECTION("a box that is no square, or no whole wavelength") {
+    for (const Box& box : {Box{0, 0, 1, 2}, Box{0, 0, 1.5, 1.5}, Box{1, 1, 0, 0}}) {
+      scene.set("box", box);
+      CHECK_THROWS_WITH(scene.choose(), Contains("square of whole wavelengths of 1"));
+    }
+  }
+  SECTION("a stream") {
+    scene.of.flow.stream = {1, 0};
+    CHECK_THROWS_WITH(scene.choose(), Contains("flow.stream is [1, 0]"));
+  }
+  SECTION("particles wider than an eighth of a wavelength") {
+    scene.set("levels", 4);
+    CHECK_THROWS_WITH(scene.choose(), Contains("up to 0.25 apart") && Contains("0.125"));
+  }
+  SECTION("no viscosity") {
+    scene.of.flow.nu = 0;
+    CHECK_THROWS_WITH(scene.choose(), Contains("viscosity"));
+  }
+  SECTION("a region that is no finer than all") {
+    scene.region({0.5, 0.5}, {0.1, 0.1}, 0.04);
+    CHECK_THROWS_WITH(scene.choose(), Contains("sph.region.spacing is 0.04") && Contains("0.0312"));
+  }
+  SECTION("a region finer than the body's particles") {
+    SphScene cylinder;
+    cylinder.set("spacing", 0.05).region({2, 0}, {1, 0.5}, 0.04);
+    CHECK_THROWS_WITH(cylinder.choose(), Contains("sph.region.spacing is 0.04") &&
+                                             Contains("sph.spacing = 0.05 or more"));
+  }
+  SECTION("a region at a side of a box that is not periodic") {
+    SphScene cylinder;
+    cylinder.set("spacing", 0.05).region({6.5, 0}, {1, 0.5}, 0.05);
+    CHECK_THROWS_WITH(cylinder.choose(), Contains("sph.region asks for particles"));
+  }
+}
+
+namespace {
+
+/// Particles that a scene begins with, and those that were foreseen.
+std::pair<double, double> particles(SphScene scene) {
+  const auto solver = scene.choose().begin();
+  return {static_cast<double>(solver->particles()),
+          sph::expected_particles({scene.of, scene.method.settings()})};
+}
+
+}  // namespace
+
+TEST_CASE("how many particles a region adds is foreseen to a fifth") {
+  const auto add = [](SphScene scene, Pair centre, Pair half_axes, double spacing) {
+    const auto [few, foreseen_few] = particles(scene);
+    const auto [many, foreseen_many] = particles(scene.region(centre, half_axes, spacing));
+    CAPTURE(few, many, foreseen_few, foreseen_many);
+    CHECK(many > 1.2 * few);
+    CHECK(foreseen_many - foreseen_few == Approx(many - few).epsilon(0.2));
+  };
+  CHECK(particles(vortices(32)).second == Approx(1024).epsilon(1e-12));
+  add(vortices(32), {0.2, 0.4}, {0.25, 0.25}, 1.0 / 64);
+  add(vortices(32), {0, 0.5}, {0.1, 0.2}, 1.0 / 128);
+  add(SphScene().set("spacing", 0.1), {3.5, 1}, {2, 1.5}, 0.1);
 }
 
 TEST_CASE("refusals name the key that they are about") {

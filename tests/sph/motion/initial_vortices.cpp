@@ -43,6 +43,7 @@ StartErrors beside_circle(double s, double body = 0) {
   const SphSetup setup{.scales = {},
                        .ambient = {},
                        .shape = shape,
+                       .box = {{-4, -4}, {4, 4}},
                        .wanted = {shape, s, 3, 0.5, 2},
                        .confines = {{{-4, -4}, {4, 4}}, shape.get(), 4, wall_spacing},
                        .operators = {2, 2.8, 0, shape.get()},

@@ -18,6 +18,7 @@ SphSetup around_circle(double spacing, double half, const Ambient& ambient = {.s
   return {.scales = {},
           .ambient = ambient,
           .shape = shape,
+          .box = {{-half, -half}, {half, half}},
           .wanted = {shape, spacing, 3, 0.5, 2},
           .confines = {{{-half, -half}, {half, half}}, shape.get(), 4, wall_spacing},
           .operators = {},

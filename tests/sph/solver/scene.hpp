@@ -41,6 +41,21 @@ struct SphScene {
     return *this;
   }
 
+  /// One more ellipse with finer particles.
+  SphScene& region(Pair centre, Pair half_axes, double spacing) {
+    for (const Key& key : method.tables().front().keys()) {
+      const auto* list = std::get_if<ListOfTables>(&key.target);
+      if (!list) continue;
+      list->resize(list->size() + 1);
+      for (const Key& own : list->keys(list->size() - 1)) {
+        if (own.name == "centre") *std::get<Pair*>(own.target) = centre;
+        if (own.name == "half_axes") *std::get<Pair*>(own.target) = half_axes;
+        if (own.name == "spacing") *std::get<double*>(own.target) = spacing;
+      }
+    }
+    return *this;
+  }
+
   SphScene& step(double dt) {
     of.time.dt = dt;
     written.insert("time.dt");
@@ -79,6 +94,7 @@ struct SphScene {
   static void put(const Target& target, double value) {
     if (const auto real = std::get_if<double*>(&target)) **real = value;
     if (const auto whole = std::get_if<int*>(&target)) **whole = static_cast<int>(value);
+    if (const auto open = std::get_if<std::optional<double>*>(&target)) **open = value;
   }
   static void put(const Target& target, int value) { put(target, static_cast<double>(value)); }
   static void put(const Target& target, std::array<double, 4> value) {
@@ -119,7 +135,7 @@ struct Told {
         time(solver.time()),
         drift(solver.drift()) {
     solver.save(state);
-    const flow::Force f = solver.force().value();
+    const flow::Force f = solver.force().value_or(flow::Force{});
     force = {f.t,          f.impulse.x,  f.impulse.y, f.pressure.x, f.pressure.y,
              f.friction.x, f.friction.y, f.frame.x,   f.frame.y};
   }

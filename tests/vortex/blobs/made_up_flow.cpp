@@ -25,9 +25,9 @@ const flow::InitialFlow hollow_vortex{
        "1: no vorticity in the middle"}}},
     "a vortex with a hole",
     [](const flow::InitialSettings& i) {
-      const double a = i.core, c = i.number("hollow");
+      const double a = *i.core, c = i.number("hollow");
       return std::vector<flow::Patch>{
-          {.circulation = i.circulation,
+          {.circulation = *i.circulation,
            .half = {a, a},
            .area = std::numbers::pi * a * a,
            .weight =
@@ -43,7 +43,7 @@ const flow::InitialFlow hollow_vortex{
                }}};
     },
     [](const flow::InitialSettings& i, double sigma_0) {
-      flow::hold_wider("initial.core", i.core, sigma_0);
+      flow::hold_wider("initial.core", *i.core, sigma_0);
     }};
 
 /// The list with one more line.
@@ -65,8 +65,8 @@ flow::InitialSettings written(double hollow) {
   const std::vector<Key> keys = flow::keys(initial, known);
   const OneOf& kind = std::get<OneOf>(key(keys, "kind").target);
   kind.set(std::ranges::find(kind.words, "hollow_vortex") - kind.words.begin());
-  *std::get<double*>(key(keys, "circulation").target) = 2;
-  *std::get<double*>(key(keys, "core").target) = 0.3;
+  *std::get<std::optional<double>*>(key(keys, "circulation").target) = 2;
+  *std::get<std::optional<double>*>(key(keys, "core").target) = 0.3;
   *std::get<std::optional<double>*>(key(keys, "hollow").target) = hollow;
   return initial;
 }
