@@ -119,6 +119,14 @@ def cylinder_by_sph():
             hold("README.md: SPH", cells[1], [row["drag_rms"], row["drag_max"]])
 
 
+def cylinder_in_box():
+    """The sweep of cylinder_re20_box: cases/README.md."""
+    hold_table("cases/README.md", "| spacing | its cases",
+               [[[row["sph.spacing"]], None, None, None, [row["drag_max"]], None,
+                 [row["separation_max_deg"]], [row["particles"]], None]
+                for row in read("cases/cylinder_re20_box.csv")])
+
+
 METHODS = "cases/methods.md"
 
 
@@ -286,6 +294,7 @@ def gallery():
 
 what_a_digit_costs()
 cylinder_by_sph()
+cylinder_in_box()
 held_against_the_reference()
 accuracy_by_second()
 long_runs()
