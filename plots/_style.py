@@ -128,6 +128,15 @@ class Run:
         """What one is called."""
         return "particle" if self.scene.get("method") == "sph" else "blob"
 
+    def plot_routes(self, axes, name, shown):
+        """The coefficient of that name against the time of a figure, by the routes that are worth a
+        look from step to step: the impulse of SPH particles is not."""
+        if self.route == "impulse":
+            axes.plot(*shown(f"{name}_impulse"), color=BLUE, label="by impulse")
+            axes.plot(*shown(f"{name}_wall"), color=ORANGE, lw=0.8, label="at the wall")
+        else:
+            axes.plot(*shown(f"{name}_wall"), color=BLUE, lw=1.0, label="at the wall")
+
     @property
     def stream(self):
         return np.array(self.scene["flow"].get("stream", [0.0, 0.0]))

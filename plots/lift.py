@@ -1,7 +1,7 @@
 """A body at incidence: lift and drag in time by both routes, and the means that are known."""
 
 import numpy as np
-from _style import BLUE, GREY, INK, ORANGE, Nothing, figure, main, note
+from _style import GREY, INK, Nothing, figure, main, note
 
 
 def draw(run):
@@ -16,12 +16,10 @@ def draw(run):
     fig = figure(7.2, 5.6, run.scene.get("title"))
     for axes, short, name, known in zip(fig.subplots(2, 1, sharex=True), ("cl", "cd"),
                                         ("lift  $C_L$", "drag  $C_D$"), ("mean_lift", "mean_drag")):
-        axes.plot(T[shown], run.report[f"{short}_impulse"][shown], color=BLUE, label="by impulse")
-        axes.plot(T[shown], run.report[f"{short}_wall"][shown], color=ORANGE, lw=0.8,
-                  label="at the wall")
+        run.plot_routes(axes, short, lambda column: (T[shown], run.report[column][shown]))
         axes.set_ylabel(name)
         if known in check:
-            mean(axes, check, known, T, run.report[f"{short}_impulse"])
+            mean(axes, check, known, T, run.report[f"{short}_{run.route}"])
         axes.legend(loc="upper right", ncol=2)
         low, high = axes.get_ylim()
         axes.set_ylim(low, high + 0.15 * (high - low))

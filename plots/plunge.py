@@ -2,7 +2,7 @@
 Morison's two terms, across a stream as on a flat plate."""
 
 import numpy as np
-from _style import BLUE, GREY, INK, ORANGE, Nothing, figure, main, note
+from _style import GREY, INK, Nothing, figure, main, note
 
 TURN = 2 * np.pi
 
@@ -22,9 +22,7 @@ def draw(run):
     axes = fig.subplots()
     place = plunge["amplitude"] * np.cos(TURN * phase[order])
     name, label = ("cl", "lift  $C_L$") if run.stream.any() else ("cd", "force along the plunge  $C$")
-    for column, route, colour, width in ((f"{name}_impulse", "by impulse", BLUE, 1.8),
-                                         (f"{name}_wall", "at the wall", ORANGE, 1.0)):
-        axes.plot(phase[order], run.report[column][last][order], color=colour, lw=width, label=route)
+    run.plot_routes(axes, name, lambda column: (phase[order], run.report[column][last][order]))
     known = (plate if run.stream.any() else morison)(run, check, radius, phase[order])
     if known is not None:
         axes.plot(phase[order], known[0], color=INK, lw=1.0, ls=(0, (5, 3)), label=known[1])

@@ -1,7 +1,7 @@
 """A wake that sheds vortices: drag and lift in time, and the spectrum of the lift."""
 
 import numpy as np
-from _style import BLUE, GREY, INK, ORANGE, Nothing, figure, main, note
+from _style import BLUE, GREY, INK, Nothing, figure, main, note
 
 
 def draw(run):
@@ -22,9 +22,7 @@ def draw(run):
     t = report["t"] * run.speed / (2 * radius)
     for axes, name, label in ((drag, "cd", "drag  $C_D$"), (lift, "cl", "lift  $C_L$")):
         axes.axvspan(t[late][0], t[-1], color="#f4f4f4", lw=0)
-        axes.plot(t[shown], report[f"{name}_impulse"][shown], color=BLUE, label="by impulse")
-        axes.plot(t[shown], report[f"{name}_wall"][shown], color=ORANGE, lw=0.8,
-                  label="at the wall")
+        run.plot_routes(axes, name, lambda column: (t[shown], report[column][shown]))
         axes.set_ylabel(label)
     mean = report[f"cd_{run.route}"][late].mean()
     wanted, off = check.get("mean_drag"), check.get("mean_drag_max", 0)
@@ -39,7 +37,7 @@ def draw(run):
     lift.set_xlabel("time  $tU/D$")
     lift.set_xlim(t[0], t[-1])
 
-    frequency, power = periodogram(report["cl_impulse"][late], t[1] - t[0])
+    frequency, power = periodogram(report[f"cl_{run.route}"][late], t[1] - t[0])
     spectrum.semilogy(frequency, power / power.max(), color=BLUE)
     peak = highest(frequency, power)
     spectrum.axvline(check["strouhal"], color=INK, lw=0.9, ls=(0, (5, 3)),
