@@ -183,14 +183,14 @@ def what_is_paid_for():
 def vortices_by_sph():
     """The sweeps of taylor_green, uniform and with a finer disc: cases/README.md."""
     uniform, disc = read("cases/taylor_green.csv"), read("cases/taylor_green_disc.csv")
-    errors = ("velocity_rms", "pressure_rms", "volume_max", "momentum_max", "energy_max", "blobs")
+    errors = ("velocity_rms", "pressure_rms", "volume_max", "momentum_max", "energy_max", "particles")
     expected = []
     for degree in ("2", "4"):
         some = [row for row in uniform if row["sph.degree"] == degree]
         finer = [row for row in disc if row["sph.degree"] == degree]
         h = [row["sph.spacing"] for row in some]
         expected += [[[degree], [], *([row[name]] for name in errors),
-                      [other["velocity_rms"]], [other["blobs"]]]
+                      [other["velocity_rms"]], [other["particles"]]]
                      for row, other in zip(some, finer)]
         fits = [[order(h, [row[name] for row in some])] for name in errors[:2]]
         expected.append([[degree], [], *fits, [], [], [], [],
