@@ -6,7 +6,7 @@ from _style import (BLUE, GREEN, INK, ORANGE, RED, SKY, Nothing, figure, main, n
 
 def draw(run):
     initial = run.scene.get("initial", {})
-    if initial.get("kind") != "dipole":
+    if initial.get("kind") != "dipole" or "body" in run.scene:
         raise Nothing
     report, nu, b = run.report, run.scene["flow"]["nu"], initial["separation"]
     t, gamma = report["t"], initial["circulation"]

@@ -25,7 +25,8 @@ def draw(run):
     grid = fig.subplots(rows, columns, sharex=shared, sharey=shared, squeeze=False)
     for axes, field, box in zip(grid.flat, fields, boxes):
         picture = vorticity(axes, field, circle, paint)
-        closed = run.stream.any() and "strouhal" not in run.check and "plunge" not in run.scene
+        even = not {"plunge", "initial"} & set(run.scene)  # on both sides of the stream
+        closed = run.stream.any() and "strouhal" not in run.check and even
         if circle and closed:  # closed wakes only
             streamlines(axes, field, run.stream / run.speed)
         if body:

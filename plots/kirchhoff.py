@@ -6,7 +6,7 @@ from _style import BLUE, INK, Nothing, figure, main, note
 
 def draw(run):
     initial = run.scene.get("initial", {})
-    if initial.get("kind") != "kirchhoff_ellipse":
+    if initial.get("kind") != "kirchhoff_ellipse" or "body" in run.scene:
         raise Nothing
     report, a, b = run.report, initial["core"], initial["core_across"]
     rate = initial["circulation"] / (np.pi * (a + b)**2)

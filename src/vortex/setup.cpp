@@ -45,6 +45,14 @@ Blobs initial_blobs(const VortexCase& scene) {
   return cut({vec(i.centre) - origin_of(scene).start, sigma_0, i.spacing * sigma_0, i.faintest}, i);
 }
 
+/// Those outside of a body.
+Blobs outside(const body::Shape& shape, const Blobs& all) {
+  Blobs kept;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (shape.distance(all.centre(k)) > 0) kept.append(all.centre(k), all.gamma[k], all.sigma[k]);
+  return kept;
+}
+
 }  // namespace
 
 Setup setup_of(const VortexCase& scene) {
@@ -55,6 +63,7 @@ Setup setup_of(const VortexCase& scene) {
   if (!bodies.empty())
     made.wall = std::make_unique<Wall>(bodies.front().shape, bodies.front().panels);
   made.blobs = initial_blobs(scene);
+  if (!bodies.empty()) made.blobs = outside(*bodies.front().shape, made.blobs);
   made.scales = scales;
   made.origin = origin_of(scene);
   made.box = box_of(scene.merging);

@@ -43,8 +43,22 @@ void refuse_outside(const SphCase& scene) {
   if (!fills && !scene.body) throw Refused("method", "method is \"sph\", which needs a [body]");
 }
 
+/// Vortices begin where fluid is, and is computed.
+void refuse_initial(const SphCase& scene) {
+  if (!scene.initial || !scene.body) return;
+  const auto [x, y] = scene.initial->centre;
+  const auto [x0, y0, x1, y1] = *scene.sph.box;
+  const bool within = x > x0 && x < x1 && y > y0 && y < y1;
+  if (body::covers(*scene.body, scene.initial->centre) || !within)
+    throw Refused("initial.centre",
+                  fmt::format("initial.centre = [{:.4g}, {:.4g}] lies {}; a place in the fluid was "
+                              "expected",
+                              x, y, within ? "within the body" : "outside of sph.box"));
+}
+
 void refuse_flow(const SphCase& scene) {
   refuse_outside(scene);
+  refuse_initial(scene);
   if (!(scene.flow.nu > 0)) throw Refused("flow.nu", "flow.nu is 0; SPH needs a viscosity > 0");
   if (plunges_upstream(scene))
     throw Refused(

@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "body/extent.hpp"
+#include "body/shapes/shapes.hpp"
+#include "flow/initial/widths.hpp"
 #include "sph/choice/cost.hpp"
+#include "sph/setup.hpp"
 
 namespace vortree::sph {
 namespace {
@@ -90,6 +93,35 @@ void doubt_neighbors(flow::Warnings& list, const SphCase& scene) {
       word(scene.neighbors.method), particles));
 }
 
+/// What asks for finer particles where all are alike, or where none are.
+void doubt_wishes(flow::Warnings& list, const SphSettings& own) {
+  if (own.levels == 1 && (own.vorticity || !own.regions.empty()))
+    list.push_back(
+        fmt::format("{} has no effect with sph.levels = 1, where all particles are alike",
+                    own.vorticity ? "sph.vorticity" : "sph.region"));
+  const auto [x0, y0, x1, y1] = *own.box;
+  for (std::size_t k = 0; k < own.regions.size(); ++k) {
+    const auto [x, y] = own.regions[k].centre;
+    if (x < x0 || x > x1 || y < y0 || y > y1)
+      list.push_back(
+          fmt::format("sph.region[{}].centre = [{:.4g}, {:.4g}] lies outside of sph.box", k, x, y));
+  }
+}
+
+/// Particles beside a vortex tell little of it if it is thinner than two of them.
+void doubt_initial(flow::Warnings& list, const SphCase& scene) {
+  const auto [x, y] = scene.initial->centre;
+  const WantedSpacing wanted = wanted_of(scene.sph, body::outline_of(*scene.body),
+                                         {scene.body->centre[0], scene.body->centre[1]});
+  const double spacing = wanted.at({x - scene.body->centre[0], y - scene.body->centre[1]});
+  const double width = flow::least_width(*scene.initial);
+  if (width < 2 * spacing)
+    list.push_back(fmt::format(
+        "initial.core: the vortex is {:.3g} wide where particles are {:.3g} apart; two of them at "
+        "least are wanted",
+        width, spacing));
+}
+
 }  // namespace
 
 flow::Warnings warnings(const SphCase& scene) {
@@ -98,6 +130,8 @@ flow::Warnings warnings(const SphCase& scene) {
   doubt_motion(list, scene.sph);
   if (scene.body) doubt_box(list, scene), doubt_sides(list, scene);
   doubt_neighbors(list, scene);
+  doubt_wishes(list, scene.sph);
+  if (scene.initial && scene.body) doubt_initial(list, scene);
   return list;
 }
 

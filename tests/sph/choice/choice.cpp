@@ -89,6 +89,17 @@ TEST_CASE("SPH refuses what it cannot compute, in words with numbers") {
       CHECK_THROWS_WITH(scene.choose(), Contains("sph.box"));
     }
   }
+  SECTION("a vortex within the body, or outside of the box") {
+    scene.set("spacing", 0.05);
+    scene.of.initial.emplace();
+    scene.of.initial->circulation = 1, scene.of.initial->core = 0.2;
+    for (const std::array<double, 2> centre : {std::array{0.1, 0.2}, {100.0, 0.0}}) {
+      scene.of.initial->centre = centre;
+      CHECK_THROWS_WITH(scene.choose(), Contains("initial.centre = ["));
+    }
+    scene.of.initial->centre = {1, 0.5};
+    CHECK_NOTHROW(scene.choose());
+  }
   SECTION("a body that plunges upstream as fast as the stream") {
     // 2 pi 0.5 0.4 cos(45 degrees) = 0.89, and at 0.46 it is 1.02.
     scene.set("spacing", 0.05);
@@ -246,4 +257,28 @@ TEST_CASE("a search of all pairs is warned of where particles are many") {
   CHECK(told(all_pairs, 0.025) == told(qcg, 0.025) + 1);
   CHECK(told(linked_list, 0.025) == told(qcg, 0.025));
   CHECK(told(all_pairs, 0.1) == told(qcg, 0.1));
+}
+
+TEST_CASE("vortices thinner than particles, and wishes that nothing comes of, are warned of") {
+  const auto told = [](const auto& change) {
+    SphScene scene;
+    scene.set("spacing", 0.05);
+    change(scene);
+    scene.choose();
+    return scene.method.warnings(scene.of).size();
+  };
+  const auto vortex = [](double core) {
+    return [core](SphScene& scene) {
+      scene.of.initial.emplace();
+      scene.of.initial->circulation = 1, scene.of.initial->core = core;
+      scene.of.initial->centre = {1, 0.5};
+    };
+  };
+  const std::size_t usual = told([](SphScene&) {});
+  CHECK(told(vortex(0.15)) == usual);
+  CHECK(told(vortex(0.05)) == usual + 1);  // 0.6 from the wall particles are 0.06 apart
+  CHECK(told([](SphScene& scene) {
+          scene.set("levels", 1).region({1, 1}, {0.2, 0.2}, 0.05);
+        }) == usual + 1);
+  CHECK(told([](SphScene& scene) { scene.region({50, 0}, {0.2, 0.2}, 0.05); }) == usual + 1);
 }

@@ -125,7 +125,7 @@ TEST_CASE("where vorticity is strong particles are finer from the start on, else
     const flow::Columns columns = solver->columns();
     const std::vector<double>& omega = flow::column(columns, "vorticity");
     for (std::size_t i = 0; i < cloud.size(); ++i) {
-      // The wish is 0.125 over it or 1/64; of 1.9 times the volume, 1.38 of the spacing, they split.
+      // The wish is 0.125 over it or 1/64; at 1.9 times the volume, 1.38 of s, they split.
       const double w = std::abs(omega[i]), s = cloud.spacing[i];
       CHECK(s < 1.5 * std::max(0.125 / w, 1.0 / 64));
       if (w > 10) ++strong, fine += s < 1.38 / 64;

@@ -1,6 +1,7 @@
 #include "vortex/choice/cost.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <sstream>
 
 #include "by_vortices.hpp"
@@ -38,6 +39,22 @@ TEST_CASE("the estimate of a vortex's blobs is that of its lattice, to a few row
       const auto made = static_cast<double>(vortex::setup_of(asked).blobs.size());
       CHECK(vortex::cost_of(asked).blobs == Approx(made).epsilon(0.1));
     }
+}
+
+TEST_CASE("blobs of a vortex that reaches into the body are not begun with") {
+  const auto blobs = [](const char* faintest) {
+    return vortex::setup_of(scene(cylinder_by_accuracy,
+                                  {"initial.kind=lamb_oseen", "initial.circulation=0.4",
+                                   "initial.core=0.5", "initial.centre=[1.5,0.2]", faintest}))
+        .blobs;
+  };
+  const auto within = [](const vortex::Blobs& all) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) count += std::hypot(all.x[k], all.y[k]) <= 0.5;
+    return count;
+  };
+  CHECK(within(blobs("initial.faintest=1e-12")) == 0);
+  CHECK(blobs("initial.faintest=1e-12").size() > blobs("initial.faintest=1e-2").size());
 }
 
 TEST_CASE("more than the machine holds is refused with the numbers, before anything is made") {
