@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sph/operators/interpolate.hpp"
+
 namespace vortree::sph {
 
 std::size_t Population::put(Vec2 at, double spacing,
@@ -22,7 +24,7 @@ std::size_t Population::add_among(std::size_t node, Vec2 by, double spacing) {
   double weights = 0;
   const auto count = [&](std::size_t j, Vec2 apart) {
     const Vec2 d = by - apart;
-    const double t = 1 - dot(d, d) / (2.25 * cloud_.volume(j)), w = t > 0 ? t * t * t : 0;
+    const double w = share_of_series(d, cloud_.volume(j));
     if (w == 0) return;
     const auto values = carried_at(cloud_, j, slopes_[j], d);
     for (std::size_t field = 0; field < carried_count; ++field) sum[field] += w * values[field];

@@ -44,7 +44,7 @@ class Population {
   void resize(std::size_t i, double spacing) { cloud_.spacing[i] = spacing; }
 
   /// A new free particle `by` away from an old one, that carries what is there: by the series of
-  /// the parent, or in the mean of those of all around, with weights (1 - (r/1.5 s_j)^2)^3.
+  /// the parent, or in the mean of those of all around (operators/interpolate.hpp).
   std::size_t add(std::size_t parent, Vec2 by, double spacing);
   std::size_t add_among(std::size_t node, Vec2 by, double spacing);
 

@@ -24,10 +24,11 @@ Vec2 convection(const StepVelocities& of, const Stencils& stencils, std::size_t 
 
 /// Of the stream that a body meets which plunges: differences as those of the fluid.
 Vec2 rate_of_stream(const MomentumInput& input) {
-  const auto& [step, later, ambient, far_field, omega, spacing, tolerance] = input;
-  const Vec2 now = ambient.stream(later - step.dt), then = ambient.stream(later);
+  const TimeStep& step = input.step;
+  const auto stream = [&](double ago) { return input.ambient.stream(input.later - ago); };
+  const Vec2 then = stream(0), now = stream(step.dt);
   if (step.ratio == 0) return 1 / step.dt * (then - now);
-  const Vec2 before = ambient.stream(later - step.dt - step.dt / step.ratio);
+  const Vec2 before = stream(step.dt + step.dt / step.ratio);
   return 1 / step.dt * (step.b0() * then - step.b1() * now + step.b2() * before);
 }
 

@@ -25,7 +25,6 @@ class NeighborLists {
   [[nodiscard]] const tree::PairList& rows() const { return rows_; }
   /// To take pairs out of until the next search.
   [[nodiscard]] tree::PairList& rows() { return rows_; }
-  [[nodiscard]] const KeptList& kept() const { return kept_; }
 
  private:
   void search(tree::Points points, std::span<const double> reach, bool sorted,

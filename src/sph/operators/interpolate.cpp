@@ -1,5 +1,7 @@
 #include "sph/operators/interpolate.hpp"
 
+#include <algorithm>
+
 #include "sph/neighbors/periodic_images.hpp"
 #include "tree/neighbors/neighbors.hpp"
 
@@ -15,6 +17,11 @@ double vorticity_at(const Slopes& of, Vec2 by) {
 }
 
 }  // namespace
+
+double share_of_series(Vec2 by, double volume) {
+  const double t = std::max(1 - dot(by, by) / (radius * radius * volume), 0.0);
+  return t * t * t;
+}
 
 Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
                          std::span<const std::uint32_t> chosen, tree::Points at, double period) {
@@ -40,7 +47,7 @@ Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
       if (static_cast<std::size_t>(row) >= n) continue;
       const std::size_t j = chosen[static_cast<std::size_t>(all.of[row])];
       const Vec2 by{at.x[k] - all.x[row], at.y[k] - all.y[row]};
-      const double t = 1 - dot(by, by) / (radius * radius * cloud.volume(j)), w = t * t * t;
+      const double w = share_of_series(by, cloud.volume(j));
       sum += w;
       of.u[k] += w * (cloud.u[j] + slopes[j][0].change(by));
       of.v[k] += w * (cloud.v[j] + slopes[j][1].change(by));

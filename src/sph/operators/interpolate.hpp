@@ -18,8 +18,12 @@ struct Interpolated {
   std::vector<char> covered;
 };
 
-/// Taylor's series of the chosen particles nearer than 1.5 s to a point, weighted by (1 - q^2)^3,
-/// q = r/(1.5 s):
+/// (1 - q^2)^3, q = r/(1.5 s), of a particle whose volume is s^2, for a point `by` away from it: by
+/// how much its series counts there; 0 from q = 1 on.
+[[nodiscard]] double share_of_series(Vec2 by, double volume);
+
+/// Taylor's series of the chosen particles nearer than 1.5 s to a point, weighted by
+/// share_of_series:
 ///
 ///   u(x) = sum_j w_j (u_j + change_j(x - x_j)) / sum_j w_j
 ///

@@ -1,10 +1,10 @@
 #include "vortex/blobs/lattice.hpp"
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "flow/initial/gaussian.hpp"
+#include "flow/initial/lattice.hpp"
 #include "tree/base/told.hpp"
 
 namespace vortree::vortex {
@@ -31,19 +31,9 @@ flow::InitialSettings settings(std::string_view kind, double gamma, double core,
 Blobs cut(const Lattice& lattice, const flow::Patch& patch) {
   require(true, lattice, patch.half, "cores");
   const auto [centre, sigma_0, h, faintest] = lattice;
-  const Vec2 middle = centre + patch.offset, reach = patch.extent(faintest, sigma_0, h);
-  const int columns = static_cast<int>(reach.x / h) + 1, rows = static_cast<int>(reach.y / h) + 1;
   Blobs blobs;
-  double total = 0;
-  for (int j = -rows; j <= rows; ++j)
-    for (int i = -columns; i <= columns; ++i) {
-      const Vec2 at{i * h, j * h};
-      const double weight = patch.weight(at, sigma_0, h);
-      if (std::abs(weight) < faintest) continue;
-      blobs.append(middle + at, weight, sigma_0);
-      total += weight;
-    }
-  for (double& gamma : blobs.gamma) gamma *= patch.circulation / total;
+  for (const auto& [at, gamma] : flow::cut(patch, sigma_0, h, faintest))
+    blobs.append(centre + patch.offset + at, gamma, sigma_0);
   return blobs;
 }
 
