@@ -73,7 +73,7 @@ Iterations Momentum::solve(Cloud& cloud, const Stencils& stencils, const Operato
     cloud.u[i] += step.ratio * (now.u[i] - cloud.u_before[i]);
     cloud.v[i] += step.ratio * (now.v[i] - cloud.v_before[i]);
   }
-  iterations.viscosity = diffuse(cloud, stencils, input);
+  iterations.viscosity = diffuse(cloud, input);
   cloud.u_before = now.u, cloud.v_before = now.v;
   return iterations;
 }
@@ -146,36 +146,22 @@ void Momentum::set_slopes(const Cloud& cloud, const StepVelocities& before,
   }
 }
 
-int Momentum::diffuse(Cloud& cloud, const Stencils& stencils, const MomentumInput& input) {
+/// By the rows of the pressure, which are V lap inside.
+int Momentum::diffuse(Cloud& cloud, const MomentumInput& input) {
   const std::size_t n = cloud.size();
   const double by = input.ambient.nu * input.step.dt;
-  const double b0 = input.step.b0();
-  viscous_.start.assign(n + 1, 0);
-  for (std::size_t i = 0; i < n; ++i)
-    viscous_.start[i + 1] =
-        viscous_.start[i] + static_cast<std::int32_t>(cloud.inside(i) ? stencils.length(i) : 0);
-  viscous_.index.resize(viscous_.start[n]), viscous_.value.resize(viscous_.start[n]);
-  viscous_.diagonal.resize(n);
-#pragma omp parallel for schedule(static)
+  viscous_value_.assign(n, input.step.b0()), viscous_factor_.assign(n, 0);
   for (std::size_t i = 0; i < n; ++i) {
-    std::int32_t k = viscous_.start[i];
-    viscous_.diagonal[i] = 1;
     if (cloud.inside(i)) {
-      double sum = 0;
-      stencils.for_each(i, [&](std::size_t j, std::size_t slot) {
-        const double value = by * stencils.laplacian(slot);
-        viscous_.index[k] = static_cast<std::int32_t>(j), viscous_.value[k++] = -value;
-        sum += value;
-      });
-      viscous_.diagonal[i] = b0 + sum;
-    } else if (cloud.kind[i] == ParticleKind::outlet) {
-      viscous_.diagonal[i] = b0;
-    } else {
+      viscous_factor_[i] = by / cloud.volume(i);
+    } else if (cloud.kind[i] != ParticleKind::outlet) {
+      viscous_value_[i] = 1;
       hu_[i] = cloud.u[i], hv_[i] = cloud.v[i];
     }
   }
-  const auto solved = solve_diagonal_dominant(viscous_, {hu_, hv_}, {cloud.u, cloud.v},
-                                              viscous_tolerance, most_iterations);
+  const auto solved =
+      sph::solve({pressure_.rows(), pressure_.singles(), viscous_value_, viscous_factor_},
+                 {hu_, hv_}, {cloud.u, cloud.v}, viscous_tolerance, most_iterations);
   for (const Solved& one : solved)
     if (!(one.residual < 100 * viscous_tolerance))
       throw std::runtime_error("the viscous step is not solved: a residual of " +

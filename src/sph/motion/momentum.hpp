@@ -74,14 +74,14 @@ class Momentum {
                   const MomentumInput& input);
   void set_slopes(const Cloud& cloud, const StepVelocities& before, const Stencils& stencils,
                   const MomentumInput& input);
-  int diffuse(Cloud& cloud, const Stencils& stencils, const MomentumInput& input);
+  int diffuse(Cloud& cloud, const MomentumInput& input);
 
   BoundaryFits fits_;
   PressureSystem pressure_;
   std::vector<std::uint32_t> outlet_;        // its nodes, one after another
   std::vector<double> outlet_u_, outlet_v_;  // of the far field there
   std::vector<double> hu_, hv_, source_, given_, px_, py_;
-  SparseRows viscous_;
+  std::vector<double> viscous_value_, viscous_factor_;
 };
 
 /// nu-free part of the slope at walls, d(omega)/ds to fourth order at each of n nodes around.

@@ -5,10 +5,13 @@
 #include <string>
 
 #include "sph/motion/tuning.hpp"
+#include "tree/base/simd.hpp"
 #include "tree/base/told.hpp"
 
 namespace vortree::sph {
 namespace {
+
+constexpr std::size_t slice_lanes = SlicedDoubles::lanes;
 
 bool outlet(const Cloud& cloud, std::size_t i, bool outlets) {
   return outlets && cloud.kind[i] == ParticleKind::outlet;
@@ -30,41 +33,56 @@ void PressureSystem::renew(const Cloud& cloud, const Stencils& stencils, const B
   double area = 0;
   for (std::size_t i = 0; i < n; ++i) area += cloud.volume(i);
   pin_ = pin / area;
-  rows_.start.assign(n + 1, 0);
-  for (std::size_t i = 0; i < n; ++i)
-    rows_.start[i + 1] =
-        rows_.start[i] + static_cast<std::int32_t>(row_length(cloud, stencils, fits, i, outlets));
-  rows_.index.resize(rows_.start[n]), rows_.value.resize(rows_.start[n]);
-  rows_.diagonal.resize(n);
+  rows_.lay_out(n,
+                [&](std::size_t i) { return 1 + row_length(cloud, stencils, fits, i, outlets); });
 #pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < n; ++i) {
-    if (cloud.inside(i))
-      row_inside(cloud, stencils, i);
-    else if (outlet(cloud, i, outlets))
-      rows_.diagonal[i] = -1;
-    else
-      row_of_node(fits.of(i), i);
+  for (std::size_t slice = 0; slice < rows_.slices(); ++slice) {
+    rows_inside(cloud, stencils, slice);
+    for (std::size_t i = slice * slice_lanes; i < std::min((slice + 1) * slice_lanes, n); ++i)
+      if (!cloud.inside(i)) row_of_node(cloud, i);
   }
   solver_.prepare(rows_);
 }
 
-void PressureSystem::row_inside(const Cloud& cloud, const Stencils& stencils, std::size_t i) {
-  const double scale = cloud.volume(i);
-  std::int32_t k = rows_.start[i];
-  double sum = 0;
-  stencils.for_each(i, [&](std::size_t j, std::size_t slot) {
-    const double value = scale * stencils.laplacian(slot);
-    rows_.index[k] = static_cast<std::int32_t>(j), rows_.value[k++] = value;
-    sum += value;
-  });
-  if (pinned_) sum += pin_ * scale;
-  rows_.diagonal[i] = sum == 0 ? -1 : -sum;
+/// Rows of a slice, and zeros for those that are none inside.
+void PressureSystem::rows_inside(const Cloud& cloud, const Stencils& stencils, std::size_t slice) {
+  const std::size_t first = rows_.begin[slice] * slice_lanes,
+                    end = rows_.begin[slice + 1] * slice_lanes;
+  for (std::size_t lane = 0; lane < slice_lanes; lane += lane_count) {
+    const std::size_t from = slice * slice_lanes + lane, group = from / lane_count;
+    Lanes scale, sum{}, alone{};
+    for (int k = 0; k < lane_count; ++k) {
+      const std::size_t i = from + static_cast<std::size_t>(k);
+      scale[k] = i < cloud.size() && cloud.inside(i) ? cloud.volume(i) : 0;
+      alone[k] = i < cloud.size() ? -1 : 0;
+      rows_.index[first + lane + k] = static_cast<std::int32_t>(std::min(i, cloud.size() - 1));
+    }
+    const std::size_t slots =
+        group < stencils.groups() ? stencils.first(group + 1) - stencils.first(group) : 0;
+    for (std::size_t k = 0, at = first + slice_lanes + lane; at < end; ++k, at += slice_lanes) {
+      const std::size_t slot =
+          (stencils.first(std::min(group, stencils.groups())) + k) * lane_count;
+      Lanes value{};
+      if (k < slots) value = scale * stencils.laplacians(slot);
+      const std::int32_t* index =
+          k < slots ? stencils.indices() + slot : rows_.index.data() + first + lane;
+      std::copy_n(index, lane_count, rows_.index.data() + at);
+      store(rows_.value.data() + at, value);
+      sum += value;
+    }
+    if (pinned_) sum += pin_ * scale;
+    store(rows_.value.data() + first + lane, sum == Lanes{} ? alone : -sum);
+  }
 }
 
-void PressureSystem::row_of_node(const BoundaryFits::Node& node, std::size_t i) {
-  std::int32_t k = rows_.start[i];
-  for (const auto& [j, weight] : node.neighbors) rows_.index[k] = j, rows_.value[k++] = weight;
-  rows_.diagonal[i] = -1;
+void PressureSystem::row_of_node(const Cloud& cloud, std::size_t i) {
+  std::size_t k = rows_.begin[i / slice_lanes] * slice_lanes + i % slice_lanes;
+  rows_.value[k] = -1;
+  if (outlet(cloud, i, outlets_)) return;
+  for (const auto& [j, weight] : fits_->of(i).neighbors) {
+    k += slice_lanes;
+    rows_.index[k] = j, rows_.value[k] = weight;
+  }
 }
 
 Solved PressureSystem::solve(std::span<const double> source, std::span<const double> given,

@@ -7,7 +7,7 @@
 #include "sph/operators/boundary_fits.hpp"
 #include "sph/operators/stencils.hpp"
 #include "sph/pressure/pressure_solver.hpp"
-#include "sph/pressure/sparse_rows.hpp"
+#include "sph/pressure/sliced_rows.hpp"
 
 namespace vortree::sph {
 
@@ -32,15 +32,19 @@ class PressureSystem {
   Solved solve(std::span<const double> source, std::span<const double> given, std::span<double> p,
                double tolerance);
 
+  /// Rows inside, V_i lap, and those of nodes; in floats, too.
+  [[nodiscard]] const SlicedDoubles& rows() const { return rows_; }
+  [[nodiscard]] const SlicedRows& singles() const { return solver_.matrix(); }
+
  private:
-  void row_inside(const Cloud& cloud, const Stencils& stencils, std::size_t i);
-  void row_of_node(const BoundaryFits::Node& node, std::size_t i);
+  void rows_inside(const Cloud& cloud, const Stencils& stencils, std::size_t slice);
+  void row_of_node(const Cloud& cloud, std::size_t i);
 
   const Cloud* cloud_ = nullptr;
   const BoundaryFits* fits_ = nullptr;
   bool outlets_ = false, pinned_ = false;
   double pin_ = 0;  // [1/L^2]
-  SparseRows rows_;
+  SlicedDoubles rows_;
   PressureSolver solver_;
   std::vector<double> right_;
 };

@@ -111,6 +111,10 @@ class Stencils {
   [[nodiscard]] double laplacian(std::size_t slot) const {
     return weight_[2][slot] + weight_[4][slot];
   }
+  /// Of a slot of a group that begins here: all lanes.
+  [[nodiscard]] Lanes laplacians(std::size_t slot) const {
+    return load(weight_[2].data() + slot) + load(weight_[4].data() + slot);
+  }
 
   [[nodiscard]] const std::int32_t* indices() const { return index_.data(); }
   [[nodiscard]] const double* weights(int e) const { return weight_[e].data(); }

@@ -19,10 +19,11 @@ namespace vortree::sph {
 /// residual that it tells is that of the answer, not of the recurrence. Same bits for any number of
 /// threads.
 ///
+/// Number         of vectors, double or float; their products are summed in doubles
 /// multiply       multiply(x, y): y = A x
 /// precondition   precondition(r, z): z = M r, linear
 /// source         van der Vorst, SIAM J. Sci. Stat. Comput. 13 (1992)
-template <std::size_t sides, class Multiply, class Precondition>
+template <std::size_t sides, class Number, class Multiply, class Precondition>
 class Bicgstab {
  public:
   using Sides = std::array<double, sides>;  // a number for each right side
@@ -33,7 +34,7 @@ class Bicgstab {
   }
 
   /// b, x   n sides each; x: first guess in, answer out
-  std::array<Solved, sides> solve(std::span<const double> b, std::span<double> x, double tolerance,
+  std::array<Solved, sides> solve(std::span<const Number> b, std::span<Number> x, double tolerance,
                                   int most) {
     const Sides whole = dots(b, b)[0];
     set_goals(whole, x, tolerance);
@@ -47,11 +48,19 @@ class Bicgstab {
   }
 
  private:
-  using Column = std::vector<double>;
+  using Column = std::vector<Number>;
+  using Factors = std::array<Number, sides>;
   static constexpr int rounds = 5;
+  static constexpr std::size_t worth_sharing = 8192;  // rows
+
+  static Factors factors(const Sides& of) {
+    Factors made;
+    std::ranges::transform(of, made.begin(), [](double one) { return static_cast<Number>(one); });
+    return made;
+  }
 
   // Squares of what residuals are to come down to. The answer to zeros is zeros.
-  void set_goals(const Sides& whole, std::span<double> x, double tolerance) {
+  void set_goals(const Sides& whole, std::span<Number> x, double tolerance) {
     for (std::size_t k = 0; k < sides; ++k) {
       goal_[k] = tolerance * tolerance * whole[k];
       for (std::size_t i = k; i < x.size() && whole[k] == 0; i += sides) x[i] = 0;
@@ -60,13 +69,12 @@ class Bicgstab {
 
   // sums[m][k] = (a_m, b) of side k, for one or two vectors a.
   template <class... More>
-  auto dots(std::span<const double> b, std::span<const double> a, More... more) const {
-    const std::array<std::span<const double>, 1 + sizeof...(more)> all{a, more...};
+  auto dots(std::span<const Number> b, std::span<const Number> a, More... more) const {
+    const std::array<std::span<const Number>, 1 + sizeof...(more)> all{a, more...};
     const auto flat = ordered_sum(n_, [&](std::size_t first, std::size_t last) {
       std::array<double, all.size() * sides> sum{};
-      for (std::size_t i = first * sides; i < last * sides; i += sides)
-        for (std::size_t m = 0; m < all.size(); ++m)
-          for (std::size_t k = 0; k < sides; ++k) sum[m * sides + k] += all[m][i + k] * b[i + k];
+      for (std::size_t m = 0; m < all.size(); ++m)
+        add_products(all[m].data(), b.data(), first * sides, last * sides, sum.data() + m * sides);
       return sum;
     });
     std::array<Sides, all.size()> sums;
@@ -75,13 +83,33 @@ class Bicgstab {
     return sums;
   }
 
+  static void add_products(const Number* a, const Number* b, std::size_t first, std::size_t last,
+                           double* sum) {
+    constexpr std::size_t block = 16;
+    static_assert(block % sides == 0);
+    std::array<double, block> part{};
+    std::size_t i = first;
+    for (; i + block <= last; i += block)
+      for (std::size_t k = 0; k < block; ++k)
+        part[k] += static_cast<double>(a[i + k]) * static_cast<double>(b[i + k]);
+    for (std::size_t k = 0; i < last; ++i, ++k)
+      part[k] += static_cast<double>(a[i]) * static_cast<double>(b[i]);
+    for (std::size_t k = 0; k < block; ++k) sum[k % sides] += part[k];
+  }
+
   // formula(i, side) for all numbers of the active sides.
   void for_active(auto formula) const {
     const std::array<bool, sides> active = active_;
-#pragma omp parallel for schedule(static)
+    if (std::ranges::find(active, false) == active.end()) return for_all(formula);
+    for_all([&](std::size_t i, std::size_t k) {
+      if (active[k]) formula(i, k);
+    });
+  }
+
+  void for_all(auto formula) const {
+#pragma omp parallel for schedule(static) if (n_ > worth_sharing)
     for (std::size_t i = 0; i < n_; ++i)
-      for (std::size_t k = 0; k < sides; ++k)
-        if (active[k]) formula(i * sides + k, k);
+      for (std::size_t k = 0; k < sides; ++k) formula(i * sides + k, k);
   }
 
   bool any_active() const {
@@ -89,7 +117,7 @@ class Bicgstab {
   }
 
   // The residual, and whose it is still too large.
-  bool begin(std::span<const double> b, std::span<const double> x) {
+  bool begin(std::span<const Number> b, std::span<const Number> x) {
     multiply_(x, std::span(r_));
     active_.fill(true);
     for_active([&](std::size_t i, std::size_t) { shadow_[i] = p_[i] = r_[i] = b[i] - r_[i]; });
@@ -98,12 +126,13 @@ class Bicgstab {
     return any_active();
   }
 
-  void iterate(std::span<double> x) {
+  void iterate(std::span<Number> x) {
     half_step();
     full_step();
+    const Factors alpha = factors(alpha_), omega = factors(omega_);
     for_active([&](std::size_t i, std::size_t k) {
-      x[i] += alpha_[k] * mp_[i] + omega_[k] * mr_[i];
-      r_[i] -= omega_[k] * t_[i];
+      x[i] += alpha[k] * mp_[i] + omega[k] * mr_[i];
+      r_[i] -= omega[k] * t_[i];
     });
     turn();
     ++iterations_;
@@ -118,15 +147,16 @@ class Bicgstab {
   }
 
   void half_step() {
-    precondition_(std::span<const double>(p_), std::span(mp_));
-    multiply_(std::span<const double>(mp_), std::span(v_));
+    precondition_(std::span<const Number>(p_), std::span(mp_));
+    multiply_(std::span<const Number>(mp_), std::span(v_));
     set_quotient(alpha_, rho_, dots(v_, shadow_)[0]);
-    for_active([&](std::size_t i, std::size_t k) { r_[i] -= alpha_[k] * v_[i]; });
+    const Factors alpha = factors(alpha_);
+    for_active([&](std::size_t i, std::size_t k) { r_[i] -= alpha[k] * v_[i]; });
   }
 
   void full_step() {
-    precondition_(std::span<const double>(r_), std::span(mr_));
-    multiply_(std::span<const double>(mr_), std::span(t_));
+    precondition_(std::span<const Number>(r_), std::span(mr_));
+    multiply_(std::span<const Number>(mr_), std::span(t_));
     const auto [tr, tt] = dots(t_, r_, t_);
     set_quotient(omega_, tr, tt);
   }
@@ -140,9 +170,9 @@ class Bicgstab {
       active_[k] = active_[k] && left[k] > goal_[k] && std::isfinite(beta[k]);
     }
     rho_ = rho;
-    for_active([&](std::size_t i, std::size_t k) {
-      p_[i] = r_[i] + beta[k] * (p_[i] - omega_[k] * v_[i]);
-    });
+    const Factors of = factors(beta), omega = factors(omega_);
+    for_active(
+        [&](std::size_t i, std::size_t k) { p_[i] = r_[i] + of[k] * (p_[i] - omega[k] * v_[i]); });
   }
 
   std::size_t n_;

@@ -66,10 +66,11 @@ double norm(std::span<const double> a) {
   return std::sqrt(sum);
 }
 
-SlicedColumn scaled(std::span<const double> a, double factor) {
-  SlicedColumn made((a.size() + SlicedRows::lanes - 1) / SlicedRows::lanes * SlicedRows::lanes);
+void put_scaled(std::span<const double> a, double factor, SlicedColumn& made) {
+  made.resize(padded(a.size(), SlicedRows::lanes));
+#pragma omp parallel for simd schedule(static) if (a.size() > kernel::slices_worth_sharing * 16)
   for (std::size_t i = 0; i < a.size(); ++i) made[i] = static_cast<float>(factor * a[i]);
-  return made;
+  for (std::size_t i = a.size(); i < made.size(); ++i) made[i] = 0;
 }
 
 void scale(SlicedColumn& a, double factor) {
@@ -86,41 +87,46 @@ double reciprocal(double a) {
 
 void Gmres::prepare(Multigrid& multigrid, std::span<const double> image) {
   multigrid_ = &multigrid;
-  image_ = scaled(image, 1), image_norm_ = norm(image);
-  basis_.assign(1, scaled(image, reciprocal(image_norm_)));
+  put_scaled(image, 1, image_), image_norm_ = norm(image);
+  if (basis_.empty()) basis_.emplace_back();
+  put_scaled(image, reciprocal(image_norm_), basis_[0]);
 }
 
 // r without its part along A 1, as the first of Krylov's; returns their shares of its norm.
 double Gmres::start(std::span<const double> r) {
   scale_ = norm(r);
-  basis_.resize(1), cycles_.clear(), triangle_.clear(), along_image_.clear();
-  cosine_.clear(), sine_.clear();
-  Column rest = scaled(r, reciprocal(scale_));
-  from_image_ = dots(basis_, rest)[0];
-  add(basis_, std::vector{-from_image_}, rest);
+  triangle_.clear(), along_image_.clear(), cosine_.clear(), sine_.clear();
+  if (basis_.size() < 2) basis_.emplace_back();
+  Column& rest = basis_[1];
+  put_scaled(r, reciprocal(scale_), rest);
+  const std::span image(basis_.data(), 1);
+  from_image_ = dots(image, rest)[0];
+  add(image, std::vector{-from_image_}, rest);
   const double size = norm(rest);
   scale(rest, reciprocal(size));
-  basis_.push_back(std::move(rest));
   right_.assign(1, size);
   return size;
 }
 
 void Gmres::iterate() {
-  Column z(basis_[0].size()), w(z.size());
-  multigrid_->cycle(basis_.back(), z);
+  const std::size_t number = triangle_.size();
+  if (cycles_.size() == number) cycles_.emplace_back(), basis_.emplace_back();
+  Column &z = cycles_[number], &w = basis_[number + 2];
+  z.resize(basis_[0].size()), w.resize(z.size());
+  multigrid_->cycle(basis_[number + 1], z);
   kernel::for_slices_of_differences(multigrid_->matrix(), z, [&](std::size_t i, Singles sums) {
     store(w.data() + i, sums + load(image_.data() + i) * load(z.data() + i));
   });
-  std::vector<double> h = dots(basis_, w);
+  const std::span before(basis_.data(), number + 2);
+  std::vector<double> h = dots(before, w);
   std::vector<double> minus = h;
   for (double& one : minus) one = -one;
-  add(basis_, minus, w);
+  add(before, minus, w);
   const double size = norm(w);
   scale(w, reciprocal(size));
   along_image_.push_back(h[0]);
   h.erase(h.begin()), h.push_back(size);
   rotate(h);
-  cycles_.push_back(std::move(z)), basis_.push_back(std::move(w));
 }
 
 // Givens: what stands below the diagonal of H goes, and the last of the right side is the residual.

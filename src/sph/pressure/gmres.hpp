@@ -40,7 +40,7 @@ class Gmres {
   Multigrid* multigrid_ = nullptr;
   Column image_;  // A 1
   double image_norm_ = 0, from_image_ = 0, scale_ = 0;
-  std::vector<Column> basis_, cycles_;         // basis: first A 1, then Krylov's
+  std::vector<Column> basis_, cycles_;         // basis: first A 1, then Krylov's; memory is kept
   std::vector<std::vector<double>> triangle_;  // columns of H, rotated
   std::vector<double> along_image_, cosine_, sine_, right_;
 };

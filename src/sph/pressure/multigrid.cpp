@@ -11,6 +11,7 @@
 
 #include "sph/pressure/aggregates.hpp"
 #include "sph/pressure/coarse_rows.hpp"
+#include "sph/pressure/near_rows.hpp"
 
 namespace vortree::sph {
 namespace {
@@ -19,15 +20,17 @@ using kernel::SlicedColumn;
 
 constexpr std::size_t coarsest_rows = 120;
 
-void put_in_slices(const SparseRows& a, RowsMaker& maker, SlicedRows& made) {
-  maker.make(
-      made, a.size(), [] { return 0; },
-      [&](int, std::size_t i, SlicesPiece& piece) {
-        piece.make_room(a.start[i + 1] - a.start[i] + 1);
-        piece.add(i, static_cast<float>(a.diagonal[i]));
-        for (std::int32_t k = a.start[i]; k < a.start[i + 1]; ++k)
-          piece.add(static_cast<std::size_t>(a.index[k]), static_cast<float>(a.value[k]));
-      });
+void narrow(const SlicedDoubles& a, SlicedRows& made) {
+  made.rows = a.rows, made.begin = a.begin, made.width = a.width;
+  made.index.renew(a.index.size()), made.value.renew(a.value.size());
+#pragma omp parallel for schedule(static) if (a.slices() > kernel::slices_worth_sharing)
+  for (std::size_t slice = 0; slice < a.slices(); ++slice)
+    for (std::size_t k = a.begin[slice] * SlicedRows::lanes;
+         k < a.begin[slice + 1] * SlicedRows::lanes; k += single_count) {
+      const double* from = a.value.data() + k;
+      store(made.value.data() + k, narrowed(load(from), load(from + lane_count)));
+      store(made.index.data() + k, load(a.index.data() + k));
+    }
 }
 
 Eigen::MatrixXd dense(const SlicedRows& a) {
@@ -69,9 +72,10 @@ Multigrid::~Multigrid() = default;
 Multigrid::Multigrid(Multigrid&&) noexcept = default;
 Multigrid& Multigrid::operator=(Multigrid&&) noexcept = default;
 
-void Multigrid::prepare(const SparseRows& rows) {
+void Multigrid::prepare(const SlicedDoubles& rows) {
   if (levels_.empty()) levels_.emplace_back();
-  put_in_slices(rows, maker_, levels_[0].a);
+  narrow(rows, matrix_);
+  near_rows(matrix_, levels_[0].a);
   depth_ = 1;
   while (levels_[depth_ - 1].a.rows > coarsest_rows && coarsen()) ++depth_;
   coarsest_ = std::make_unique<Coarsest>(levels_[depth_ - 1].a);

@@ -6,13 +6,12 @@
 #include "sph/pressure/aggregates.hpp"
 #include "sph/pressure/sliced_kernel.hpp"
 #include "sph/pressure/sliced_rows.hpp"
-#include "sph/pressure/sparse_rows.hpp"
 
 namespace vortree::sph {
 
 /// A W-cycle of multigrid, in single precision: one Jacobi step, the residual summed over
 /// aggregates (aggregates.hpp), a correction from two visits there that is interpolated
-/// (coarse_rows.hpp), one Jacobi step more. The orders of interpolation, two, and of summing, one,
+/// (coarse_rows.hpp), one Jacobi step more. All of it with what is near of A alone (near_rows.hpp). The orders of interpolation, two, and of summing, one,
 /// are together more than that of the equation, so that the rate of convergence does not depend on
 /// n; it is 0.3 to 0.4 a cycle.
 ///
@@ -30,10 +29,10 @@ class Multigrid {
   Multigrid& operator=(Multigrid&&) noexcept;
 
   /// Takes a matrix over. Memory of the one before is used again.
-  void prepare(const SparseRows& rows);
+  void prepare(const SlicedDoubles& rows);
 
   /// A itself, in floats, with its diagonal.
-  [[nodiscard]] const SlicedRows& matrix() const { return levels_.front().a; }
+  [[nodiscard]] const SlicedRows& matrix() const { return matrix_; }
 
   /// x, which is about A^-1 b.
   void cycle(const kernel::SlicedColumn& b, kernel::SlicedColumn& x);
@@ -53,8 +52,9 @@ class Multigrid {
   static void jacobi(const Level& at, const Column& b, const Column& from, Column& to);
   void correct(std::size_t l);
 
-  std::vector<Level> levels_;
-  std::size_t depth_ = 0;  // levels in use
+  SlicedRows matrix_;
+  std::vector<Level> levels_;  // the first: what is near of the matrix
+  std::size_t depth_ = 0;      // levels in use
   RowsMaker maker_;
   std::unique_ptr<Coarsest> coarsest_;
 };

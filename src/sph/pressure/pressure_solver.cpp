@@ -10,7 +10,8 @@
 #include "sph/pressure/gmres.hpp"
 #include "sph/pressure/incomplete_lu.hpp"
 #include "sph/pressure/multigrid.hpp"
-#include "sph/pressure/multiply.hpp"
+#include "sph/pressure/sliced_kernel.hpp"
+#include "sph/pressure/sparse_rows.hpp"
 
 namespace vortree::sph {
 namespace {
@@ -27,12 +28,16 @@ double norm(std::span<const double> a) {
   }));
 }
 
-// A 1.
-PressureColumn sums_of_rows(const SparseRows& a) {
-  PressureColumn sums = a.diagonal;
-#pragma omp parallel for schedule(static) if (a.size() > worth_sharing)
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::int32_t k = a.start[i]; k < a.start[i + 1]; ++k) sums[i] += a.value[k];
+/// A 1.
+PressureColumn sums_of_rows(const SlicedDoubles& a) {
+  PressureColumn sums(a.padded());
+#pragma omp parallel for schedule(static) if (a.rows > worth_sharing)
+  for (std::size_t slice = 0; slice < a.slices(); ++slice)
+    for (std::size_t k = a.begin[slice] * SlicedDoubles::lanes;
+         k < a.begin[slice + 1] * SlicedDoubles::lanes; k += SlicedDoubles::lanes)
+      for (std::size_t lane = 0; lane < SlicedDoubles::lanes; ++lane)
+        sums[slice * SlicedDoubles::lanes + lane] += a.value[k + lane];
+  sums.resize(a.rows);
   return sums;
 }
 
@@ -40,14 +45,16 @@ PressureColumn sums_of_rows(const SparseRows& a) {
 
 class PressureSolver::Prepared {
  public:
-  void prepare(const SparseRows& rows) {
+  void prepare(const SlicedDoubles& rows) {
     rows_ = &rows;
     multigrid_.prepare(rows);
     gmres_.prepare(multigrid_, sums_of_rows(rows));
   }
 
+  [[nodiscard]] const SlicedRows& matrix() const { return multigrid_.matrix(); }
+
   Solved solve(std::span<const double> b, std::span<double> x, double tolerance, int most) {
-    check_vectors(*rows_, b, x);
+    check_vectors(rows_->rows, b, x);
     const double whole = norm(b);
     if (whole == 0) {
       std::ranges::fill(x, 0);
@@ -62,10 +69,12 @@ class PressureSolver::Prepared {
 
  private:
   double residual(std::span<const double> b, std::span<const double> x) {
+    left_.assign(b.begin(), b.end());
+    left_.resize(rows_->padded());
+    kernel::for_slices<false>(*rows_, x.data(), [&](std::size_t i, Lanes sums) {
+      store(left_.data() + i, load(left_.data() + i) - sums);
+    });
     left_.resize(b.size());
-    multiply<1>(*rows_, x, left_);
-#pragma omp parallel for schedule(static) if (b.size() > worth_sharing)
-    for (std::size_t i = 0; i < b.size(); ++i) left_[i] = b[i] - left_[i];
     return norm(left_);
   }
 
@@ -92,12 +101,13 @@ class PressureSolver::Prepared {
 
   void iterate_slowly(std::span<const double> b, std::span<double> x, double tolerance, int most,
                       Solved& told) {
+    const SparseRows rows = unsliced(*rows_);
     IncompleteLu factors;
-    factors.factor(*rows_);
-    const auto multiply = [&](auto in, auto out) { sph::multiply<1>(*rows_, in, out); };
+    factors.factor(rows);
+    const auto multiply = [&](auto in, auto out) { sph::multiply(rows, in, out); };
     const auto precondition = [&](auto in, auto out) { factors.solve(in, out); };
-    Bicgstab<1, decltype(multiply), decltype(precondition)> method(rows_->size(), multiply,
-                                                                   precondition);
+    Bicgstab<1, double, decltype(multiply), decltype(precondition)> method(rows_->rows, multiply,
+                                                                           precondition);
     PressureColumn trial(x.begin(), x.end());
     const Solved slow = method.solve(b, trial, tolerance, most - told.iterations)[0];
     told.iterations += slow.iterations;
@@ -106,7 +116,7 @@ class PressureSolver::Prepared {
     std::ranges::copy(trial, x.begin());
   }
 
-  const SparseRows* rows_ = nullptr;
+  const SlicedDoubles* rows_ = nullptr;
   Multigrid multigrid_;
   Gmres gmres_;
   PressureColumn left_;
@@ -117,10 +127,14 @@ PressureSolver::~PressureSolver() = default;
 PressureSolver::PressureSolver(PressureSolver&&) noexcept = default;
 PressureSolver& PressureSolver::operator=(PressureSolver&&) noexcept = default;
 
-void PressureSolver::prepare(const SparseRows& rows) {
+void PressureSolver::prepare(const SlicedDoubles& rows) {
   check(rows);
   if (!prepared_) prepared_ = std::make_unique<Prepared>();
   prepared_->prepare(rows);
+}
+
+const SlicedRows& PressureSolver::matrix() const {
+  return prepared_->matrix();
 }
 
 Solved PressureSolver::solve(std::span<const double> b, std::span<double> x, double tolerance,

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sph/pressure/sliced_rows.hpp"
 #include "sph/pressure/sparse_rows.hpp"
 
 namespace vortree::sph {
@@ -28,9 +29,12 @@ class PressureSolver {
   PressureSolver& operator=(PressureSolver&&) noexcept;
 
   /// rows    must stay as they are until the last solve: they are not copied
-  /// throws  std::invalid_argument as check(SparseRows) does
-  void prepare(const SparseRows& rows);
-  void prepare(SparseRows&&) = delete;
+  /// throws  std::invalid_argument as check(SlicedDoubles) does
+  void prepare(const SlicedDoubles& rows);
+  void prepare(SlicedDoubles&&) = delete;
+
+  /// The rows that were prepared, in floats.
+  [[nodiscard]] const SlicedRows& matrix() const;
 
   /// x           n numbers: first guess in, answer out
   /// tolerance   of ||b - A x|| / ||b||

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 #include <vector>
 
 #include "sph/pressure/sliced_rows.hpp"
@@ -10,8 +12,9 @@
 
 namespace vortree::sph::kernel {
 
-/// Floats in whole slices.
+/// Floats in whole slices, and two side by side for each row.
 using SlicedColumn = std::vector<float>;
+using SlicedPairs = std::vector<float>;
 
 /// Slices beyond which threads share: fewer are done before the others wake.
 inline constexpr std::size_t slices_worth_sharing = 512;
@@ -27,6 +30,40 @@ inline Singles gather(const float* x, SingleBits places) {
   for (int i = 0; i < single_count; ++i) a[i] = x[places[i]];
   return a;
 #endif
+}
+
+inline Lanes gather(const double* x, const std::int32_t* places) {
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+  return (Lanes)_mm512_i32gather_pd(_mm256_loadu_si256((const __m256i*)places), x, 8);
+#elif defined(__AVX2__)
+  return (Lanes)_mm256_i32gather_pd(x, _mm_loadu_si128((const __m128i*)places), 8);
+#else
+  Lanes a;
+  for (int i = 0; i < lane_count; ++i) a[i] = x[places[i]];
+  return a;
+#endif
+}
+
+/// Pairs of floats at so many places as a register has.
+inline Singles gather_pairs(const float* x, const std::int32_t* places) {
+#if defined(__AVX2__)
+  return (Singles)gather(reinterpret_cast<const double*>(x), places);
+#else
+  Singles a;
+  for (int i = 0; i < lane_count; ++i)
+    a[2 * i] = x[2 * places[i]], a[2 * i + 1] = x[2 * places[i] + 1];
+  return a;
+#endif
+}
+
+/// Each of half a register's floats twice.
+inline Singles doubled(const float* from) {
+  HalfSingles a;
+  std::memcpy(&a, from, sizeof a);
+  return [&]<int... lane>(std::integer_sequence<int, lane...>) {
+    return __builtin_shufflevector(a, a, (lane / 2)...);
+  }
+  (std::make_integer_sequence<int, single_count>{});
 }
 
 inline constexpr std::size_t slice_parts = SlicedRows::lanes / single_count;  // registers
@@ -57,6 +94,40 @@ inline void for_slices(const SlicedRows& a, const SlicedColumn& x, const auto& u
 }
 inline void for_slices_of_differences(const SlicedRows& a, const SlicedColumn& x, const auto& use) {
   for_slices<true>(a, x, use);
+}
+
+/// The same of differences for pairs side by side: use(i, sums) for rows i, i + 1, ..., as many
+/// as a register has pairs.
+inline void for_slices_of_pairs(const SlicedRows& a, const float* x, const auto& use) {
+#pragma omp parallel for schedule(static) if (a.slices() > slices_worth_sharing)
+  for (std::size_t slice = 0; slice < a.slices(); ++slice)
+    for (std::size_t from = 0; from < SlicedRows::lanes; from += lane_count) {
+      const std::size_t i = slice * SlicedRows::lanes + from, last = a.begin[slice + 1];
+      const Singles own = load(x + 2 * i);
+      Singles sums{};
+      for (std::size_t k = a.begin[slice]; k < last; ++k) {
+        const std::size_t at = k * SlicedRows::lanes + from;
+        sums += doubled(a.value.data() + at) * (gather_pairs(x, a.index.data() + at) - own);
+      }
+      use(i, sums);
+    }
+}
+
+/// A x in doubles, as use(i, sums) for rows i, i + 1, ..., as many as a register has. Of
+/// differences: sum_j a_ij (x_j - x_i).
+template <bool of_differences>
+inline void for_slices(const SlicedDoubles& a, const double* x, const auto& use) {
+#pragma omp parallel for schedule(static) if (a.slices() > slices_worth_sharing)
+  for (std::size_t slice = 0; slice < a.slices(); ++slice)
+    for (std::size_t from = 0; from < SlicedRows::lanes; from += lane_count) {
+      const std::size_t last = a.begin[slice + 1] * SlicedRows::lanes;
+      std::size_t at = a.begin[slice] * SlicedRows::lanes + from;
+      const Lanes own = of_differences ? gather(x, a.index.data() + at) : Lanes{};
+      Lanes sums{};
+      for (; at < last; at += SlicedRows::lanes)
+        sums += load(a.value.data() + at) * (gather(x, a.index.data() + at) - own);
+      use(slice * SlicedRows::lanes + from, sums);
+    }
 }
 
 /// What is to be known of a register of rows: their diagonals, the sums of magnitudes beside them,

@@ -1,8 +1,48 @@
 #include "sph/pressure/sliced_rows.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 namespace vortree::sph {
+namespace {
+
+constexpr std::size_t worth_sharing = 512;  // slices
+
+// Is there anything to refuse? Sums of products with zero tell without a branch.
+bool slice_is_sound(const SlicedDoubles& a, std::size_t slice) {
+  constexpr std::size_t lanes = SlicedDoubles::lanes;
+  const std::size_t first = a.begin[slice] * lanes, last = a.begin[slice + 1] * lanes;
+  std::uint32_t largest = 0;
+  double zero[lanes] = {};
+  for (std::size_t k = first; k < last; k += lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      largest = std::max(largest, static_cast<std::uint32_t>(a.index[k + lane]));
+      zero[lane] += 0 * a.value[k + lane];
+    }
+  bool sound = largest < a.rows;
+  for (std::size_t lane = 0; lane < lanes && slice * lanes + lane < a.rows; ++lane) {
+    const std::size_t i = slice * lanes + lane;
+    sound = sound && zero[lane] == 0 && a.width[i] > 0 && a.value[first + lane] != 0 &&
+            a.index[first + lane] == static_cast<std::int32_t>(i);
+  }
+  return sound;
+}
+
+}  // namespace
+
+void check(const SlicedDoubles& a) {
+  std::size_t sound = a.slices();  // slices before the first that is not
+#pragma omp parallel for schedule(static) reduction(min : sound) if (a.slices() > worth_sharing)
+  for (std::size_t slice = 0; slice < a.slices(); ++slice)
+    if (!slice_is_sound(a, slice)) sound = std::min(sound, slice);
+  if (sound == a.slices()) return;
+  const std::size_t first = sound * SlicedDoubles::lanes;
+  throw std::invalid_argument("sparse rows: of rows " + std::to_string(first) + " to " +
+                              std::to_string(std::min(first + SlicedDoubles::lanes, a.rows) - 1) +
+                              " of " + std::to_string(a.rows) +
+                              " one has an index or a value that cannot be");
+}
 
 void SlicesPiece::begin() {
   size_ = ended_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -9,19 +10,33 @@
 
 namespace vortree::sph {
 
-/// A sparse matrix in single precision, its rows in slices of 16 that are worked on side by side:
-/// place k of row 16 s + lane stands at 16 (begin_s + k) + lane, begin_s <= begin_s + k <
-/// begin_(s+1). Shorter rows of a slice are filled up with zeros, for column 0.
+/// A sparse matrix, its rows in slices of 16 that are worked on side by side: place k of row
+/// 16 s + lane stands at 16 (begin_s + k) + lane, begin_s <= begin_s + k < begin_(s+1). Shorter
+/// rows of a slice are filled up with zeros, for any column that there is.
 ///
 /// width   places of each row; also of those that fill up the last slice
 /// source  Kreutzer, Hager, Wellein, Fehske & Bishop, SIAM J. Sci. Comput. 36 (2014): SELL-C
-struct SlicedRows {
+template <class Number>
+struct SlicedMatrix {
   static constexpr std::size_t lanes = 16;
 
   std::size_t rows = 0;
   std::vector<std::int32_t> begin{0}, width;
   tree::Buffer<std::int32_t> index;
-  tree::Buffer<float> value;
+  tree::Buffer<Number> value;
+
+  /// Makes room for rows of places(i) places, whose indices and values are still to be written.
+  void lay_out(std::size_t n, const auto& places) {
+    rows = n;
+    const std::size_t count = (n + lanes - 1) / lanes;
+    width.assign(count * lanes, 0), begin.assign(count + 1, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      width[i] = static_cast<std::int32_t>(places(i));
+      begin[i / lanes + 1] = std::max(begin[i / lanes + 1], width[i]);
+    }
+    for (std::size_t slice = 0; slice < count; ++slice) begin[slice + 1] += begin[slice];
+    index.renew(begin[count] * lanes), value.renew(index.size());
+  }
 
   [[nodiscard]] std::size_t slices() const { return begin.size() - 1; }
   /// Rows with those that fill up the last slice: so long are columns.
@@ -44,6 +59,15 @@ struct SlicedRows {
       visit(static_cast<std::size_t>(index[k]), value[k]);
   }
 };
+
+using SlicedRows = SlicedMatrix<float>;
+
+/// The same in doubles. The first place of a row is that of its diagonal.
+using SlicedDoubles = SlicedMatrix<double>;
+
+/// throws  std::invalid_argument with the numbers if an index is outside of 0 .. n - 1, a row does
+///         not begin with its diagonal or that is 0, or a value is not finite
+void check(const SlicedDoubles& a);
 
 /// Rows that one thread makes at a time.
 inline constexpr std::size_t rows_a_piece = 1024;

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "sph/pressure/sliced_rows.hpp"
+
 namespace vortree::sph {
 
 /// A sparse square matrix A of n rows, its diagonal apart from the rest:
@@ -29,12 +31,14 @@ struct Solved {
   double residual = 0;
 };
 
-/// throws  std::invalid_argument with the numbers if sizes do not fit, an index is outside of
-///         0 .. n - 1 or that of its own row, a diagonal is 0, or a value not finite
-void check(const SparseRows& rows);
+/// The rows of a matrix in slices, one after the other.
+[[nodiscard]] SparseRows unsliced(const SlicedDoubles& a);
 
-/// throws  std::invalid_argument with the numbers if b or x are not as many as rows, or naming the
-///         first that is not finite
-void check_vectors(const SparseRows& rows, std::span<const double> b, std::span<const double> x);
+/// y = A x.
+void multiply(const SparseRows& a, std::span<const double> x, std::span<double> y);
+
+/// throws  std::invalid_argument with the numbers if b or x are not n, or naming the first that is
+///         not finite
+void check_vectors(std::size_t n, std::span<const double> b, std::span<const double> x);
 
 }  // namespace vortree::sph
