@@ -44,8 +44,8 @@ struct TargetsInUnits {
   double x[targets_a_visit], y[targets_a_visit], core[targets_a_visit];
   std::size_t size;
 
-  TargetsInUnits(const Targets& targets, std::size_t first, const Units& units)
-      : size(std::min(targets_a_visit, targets.size() - first)) {
+  TargetsInUnits(const Targets& targets, std::size_t first, std::size_t most, const Units& units)
+      : size(std::min(most, targets.size() - first)) {
     for (std::size_t i = 0; i < size; ++i) {
       x[i] = units.position(targets.x[first + i]);
       y[i] = units.position(targets.y[first + i]);
@@ -54,6 +54,11 @@ struct TargetsInUnits {
   }
 };
 
+/// Targets of a visit: fewer where there are few, so that threads share them.
+std::size_t a_visit(std::size_t targets) {
+  return std::min(targets_a_visit, padded((targets + least_visits - 1) / least_visits));
+}
+
 template <class Pair>
 void sum_all(const Sources& sources, const Targets& targets, std::span<double> u,
              std::span<double> v) {
@@ -61,11 +66,11 @@ void sum_all(const Sources& sources, const Targets& targets, std::span<double> u
   const std::vector<PackedSources> tiled = tiles(sources, units, Pair::packed_core);
   std::ranges::fill(u, 0.0);
   std::ranges::fill(v, 0.0);
-  const std::size_t n = targets.size();
+  const std::size_t n = targets.size(), most = a_visit(n);
   double found = 0.0;  // asked only for its order of magnitude
 #pragma omp parallel for schedule(dynamic) reduction(+ : found)
-  for (std::size_t first = 0; first < n; first += targets_a_visit) {
-    const TargetsInUnits local(targets, first, units);
+  for (std::size_t first = 0; first < n; first += most) {
+    const TargetsInUnits local(targets, first, most, units);
     const NearTargets some{local.x, local.y, local.core, &u[first], &v[first], local.size};
     for (const PackedSources& packed : tiled) p2p<Pair>(packed, some);
     for (const std::span<double> sums :
@@ -91,11 +96,11 @@ void sum_field(const Field& field, const Sources& sources, const Targets& target
                const Units& units, std::array<double*, 3> sums) {
   const auto tiled = tiles(sources, units, std::identity{});
   const bool without = bare(sources, targets, cores);
-  const std::size_t n = targets.size();
+  const std::size_t n = targets.size(), most = a_visit(n);
   for (std::size_t s = 0; s < Field::count; ++s) std::fill_n(sums[s], n, 0.0);
 #pragma omp parallel for schedule(dynamic)
-  for (std::size_t first = 0; first < n; first += targets_a_visit) {
-    const TargetsInUnits local(targets, first, units);
+  for (std::size_t first = 0; first < n; first += most) {
+    const TargetsInUnits local(targets, first, most, units);
     FieldTargets some{local.x, local.y, local.core, {}, local.size};
     for (std::size_t s = 0; s < Field::count; ++s) some.sums[s] = sums[s] + first;
     for (const PackedSources& packed : tiled) {

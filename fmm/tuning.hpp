@@ -54,6 +54,8 @@ inline constexpr std::uint32_t crowd_in_one_place = 256;
 /// Sources of a direct sum that all targets visit: four columns of them, 32 KB, and targets that
 /// visit them together.
 inline constexpr std::size_t sources_a_tile = 1024, targets_a_visit = 64;
+/// Into so many visits few targets are shared: each reads all sources.
+inline constexpr std::size_t least_visits = 4;
 /// Targets of a cell elsewhere that are summed together: more share the search for their sources,
 /// in a larger box.
 inline constexpr std::size_t targets_a_batch = 64;

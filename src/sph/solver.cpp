@@ -95,9 +95,7 @@ void SphSolver::look_at_wall() {
 void SphSolver::step(const tree::Phase& phase) {
   const double end = static_cast<double>(steps_ + 1) * setup_.dt;
   const double begin = time_;
-  const flow::Columns before_step = columns();
-  flow::State state;
-  save(state);
+  const Checkpoint before_step = checkpoint();
   Vec2 given{};
   Traction before = traction();
   try {
@@ -109,10 +107,10 @@ void SphSolver::step(const tree::Phase& phase) {
       before = now;
     }
   } catch (const std::bad_alloc&) {
-    restore(steps_, before_step, state);
+    go_back(before_step);
     throw;
   } catch (const std::exception& failed) {
-    restore(steps_, before_step, state);
+    go_back(before_step);
     throw flow::Diverged(failed.what());
   }
   time_ = end;
@@ -124,6 +122,18 @@ void SphSolver::step(const tree::Phase& phase) {
             .friction = before.friction,
             .frame = setup_.area * setup_.ambient.plunge.acceleration(end)};
   measure();
+}
+
+SphSolver::Checkpoint SphSolver::checkpoint() const {
+  return {cloud_, far_field_, momentum_.along_outlet, time_, last_dt_, substeps_, iterations_};
+}
+
+void SphSolver::go_back(const Checkpoint& to) {
+  cloud_ = to.cloud, far_field_ = to.far_field, momentum_.along_outlet = to.along_outlet;
+  time_ = to.time, last_dt_ = to.last_dt, substeps_ = to.substeps, iterations_ = to.iterations;
+  cloud_.was.assign(cloud_.size(), -1);
+  stencils_.renew(cloud_, setup_.operators);
+  look();
 }
 
 /// As long as the Courant number and the step before allow, and a whole part of what is left.

@@ -65,6 +65,18 @@ class SphSolver final : public flow::Solver {
     Vec2 pressure, friction;
   };
 
+  /// What a step changes before its end.
+  struct Checkpoint {
+    Cloud cloud;
+    BiotSavart far_field;
+    std::vector<double> along_outlet;
+    double time, last_dt;
+    long substeps;
+    Iterations iterations;
+  };
+
+  Checkpoint checkpoint() const;
+  void go_back(const Checkpoint& to);
   void start();
   void start_past_body();
   void start_periodic_flow();

@@ -59,10 +59,19 @@ std::vector<BirthPlace> places(const Cloud& cloud, std::size_t old, const Confin
 
 void take_away(Population& population, const Confines& confines) {
   const Cloud& cloud = population.cloud();
-  for (std::size_t i = 0; i < population.old(); ++i)
-    if (cloud.free(i) && (beyond_box(cloud, i, confines) || among_rings(cloud, i, confines) ||
-                          crowded(population, i)))
-      population.remove(i);
+  enum Fate : char { stays, leaves, crowds };
+  std::vector<Fate> fate(population.old(), stays);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < fate.size(); ++i) {
+    if (!cloud.free(i)) continue;
+    if (beyond_box(cloud, i, confines) || among_rings(cloud, i, confines))
+      fate[i] = leaves;
+    else if (crowded(population, i))
+      fate[i] = crowds;
+  }
+  // Of two that crowd each other one may stay.
+  for (std::size_t i = 0; i < fate.size(); ++i)
+    if (fate[i] == leaves || (fate[i] == crowds && crowded(population, i))) population.remove(i);
 }
 
 void fill_gaps(Population& population, const Confines& confines) {

@@ -46,11 +46,6 @@ void Cloud::reorder(std::span<const std::uint32_t> order) {
   });
 }
 
-Vec2 nearest_image(Vec2 apart, double period) {
-  if (period == 0) return apart;
-  return apart - period * Vec2{std::round(apart.x / period), std::round(apart.y / period)};
-}
-
 double wrapped(double x, double period) {
   return period == 0 ? x : x - period * std::floor(x / period);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -77,12 +78,15 @@ inline constexpr std::array carried{&Cloud::u, &Cloud::v, &Cloud::u_before, &Clo
                                     &Cloud::p};
 inline constexpr std::size_t carried_count = carried.size();
 
-/// A distance to the nearest of all that are a whole number of periods away; as it is if the period
-/// is 0.
-[[nodiscard]] Vec2 nearest_image(Vec2 apart, double period);
-
 /// The same place within 0 and the period; as it is if that is 0.
 [[nodiscard]] double wrapped(double x, double period);
+
+/// A distance to the nearest of all that are a whole number of periods away; as it is if the period
+/// is 0.
+[[nodiscard]] inline Vec2 nearest_image(Vec2 apart, double period) {
+  if (period == 0) return apart;
+  return apart - period * Vec2{std::round(apart.x / period), std::round(apart.y / period)};
+}
 
 /// Puts particles back into the periodic square from the origin to (period, period); leaves them
 /// if that is 0.

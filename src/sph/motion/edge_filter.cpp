@@ -37,8 +37,9 @@ void filter_edges(Cloud& cloud, const Stencils& stencils, const std::vector<Slop
   std::vector<std::pair<std::size_t, Carried>> chosen;
   const std::vector<char> beside = stencils.beside_edge(cloud);
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (cloud.free(i) && beside[i])
-      chosen.emplace_back(i, excess(cloud, stencils, slopes[i], options, i));
+    if (cloud.free(i) && beside[i]) chosen.push_back({i, {}});
+#pragma omp parallel for schedule(static)
+  for (auto& [i, by] : chosen) by = excess(cloud, stencils, slopes[i], options, i);
   for (const auto& [i, by] : chosen)
     for (std::size_t field = 0; field + 1 < carried_count; ++field)
       (cloud.*carried[field])[i] += share * by[field];

@@ -33,10 +33,6 @@ void find_slopes(const Cloud& cloud, const Stencils& stencils, std::vector<Slope
   }
 }
 
-double vorticity(const Slopes& of) {
-  return of[1].x - of[0].y;
-}
-
 void find_divergence(std::span<const double> u, std::span<const double> v, const Stencils& stencils,
                      std::span<double> divergence) {
 #pragma omp parallel for schedule(static)

@@ -27,7 +27,9 @@ using Slopes = std::array<FieldSlopes, carried_count>;
 void find_slopes(const Cloud& cloud, const Stencils& stencils, std::vector<Slopes>& slopes);
 
 /// dv/dx - du/dy [1/T].
-[[nodiscard]] double vorticity(const Slopes& of);
+[[nodiscard]] inline double vorticity(const Slopes& of) {
+  return of[1].x - of[0].y;
+}
 
 /// du/dx + dv/dy [1/T] of a velocity, at each particle.
 void find_divergence(std::span<const double> u, std::span<const double> v, const Stencils& stencils,
