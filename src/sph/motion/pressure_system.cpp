@@ -63,7 +63,8 @@ void PressureSystem::rows_inside(const Cloud& cloud, const Stencils& stencils, s
       const std::size_t slot =
           (stencils.first(std::min(group, stencils.groups())) + k) * lane_count;
       Lanes value{};
-      if (k < slots) value = scale * stencils.laplacians(slot);
+      // What stencils have beyond the last particle may be anything.
+      if (k < slots) value = scale > Lanes{} ? scale * stencils.laplacians(slot) : Lanes{};
       const std::int32_t* index =
           k < slots ? stencils.indices() + slot : rows_.index.data() + first + lane;
       std::copy_n(index, lane_count, rows_.index.data() + at);

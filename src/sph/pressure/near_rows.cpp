@@ -8,7 +8,9 @@
 namespace vortree::sph {
 namespace {
 
-constexpr float small = 0.15F;
+/// In the sum of magnitudes beside the diagonal. Measured against the largest of them, a pair that
+/// nearly meets would tear all other ties.
+constexpr float small = 0.02F;
 constexpr std::size_t lanes = SlicedRows::lanes;
 
 /// What becomes of a slice: the least magnitude that stays, how many places do, the diagonal, and
@@ -23,11 +25,11 @@ NearSlice look_at(const SlicedRows& a, std::size_t slice) {
   for (std::size_t part = 0; part < kernel::slice_parts; ++part) {
     const std::size_t at = part * single_count, step = lanes;
     const std::size_t first = a.begin[slice] * lanes + at, last = a.begin[slice + 1] * lanes;
-    Singles largest{}, kept{}, gone{};
+    Singles all{}, kept{}, gone{};
     SingleBits count{};
     for (std::size_t k = first + step; k < last; k += step)
-      largest = larger(largest, magnitude(load(a.value.data() + k)));
-    const Singles least = small * largest;
+      all += magnitude(load(a.value.data() + k));
+    const Singles least = small * all;
     for (std::size_t k = first + step; k < last; k += step) {
       const Singles value = load(a.value.data() + k);
       const SingleBits stays = magnitude(value) > least;

@@ -152,6 +152,22 @@ inline sph::SparseRows pressure_rows(const PressureCloud& cloud, double pin) {
   return a;
 }
 
+/// The same in slices.
+inline sph::SlicedDoubles sliced(const sph::SparseRows& a) {
+  sph::SlicedDoubles made;
+  made.lay_out(a.size(), [&](std::size_t i) { return 1 + a.start[i + 1] - a.start[i]; });
+  std::fill_n(made.index.data(), made.index.size(), 0);
+  std::fill_n(made.value.data(), made.value.size(), 0);
+  constexpr std::size_t lanes = sph::SlicedDoubles::lanes;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t to = made.begin[i / lanes] * lanes + i % lanes;
+    made.index[to] = static_cast<std::int32_t>(i), made.value[to] = a.diagonal[i];
+    for (std::int32_t k = a.start[i]; k < a.start[i + 1]; ++k)
+      to += lanes, made.index[to] = a.index[k], made.value[to] = a.value[k];
+  }
+  return made;
+}
+
 /// nodes all around: walls and, to the right, given pressure.
 inline sph::SparseRows walled_rows(int side) {
   return pressure_rows(jittered_cloud(side, true), 0);
