@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv) {
   vortree::app::bear_surroundings();
-  vortree::app::sleep_while_waiting(argv);
+  vortree::app::choose_waiting(argv);
   vortree::app::keep_freed_memory();
   // All files are closed before the end; HDF5's own cleanup crashes if one could not be written.
   H5dont_atexit();

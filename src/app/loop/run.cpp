@@ -15,6 +15,7 @@
 #include "app/loop/sample.hpp"
 #include "app/loop/signals.hpp"
 #include "app/loop/summary.hpp"
+#include "app/loop/threads.hpp"
 #include "app/loop/timetable.hpp"
 #include "app/plot.hpp"
 #include "app/say.hpp"
@@ -178,8 +179,10 @@ RunResult Run::go() {
   const double start = time(step());
   StopRequest stop;
   ProgressLine progress;
+  ThreadsOfRun threads;
   while (step() < timetable_.last_step()) {
     advance();
+    threads.after_step();
     progress.show({.step = step(),
                    .time = time(step()),
                    .dt = scene_.time.dt,

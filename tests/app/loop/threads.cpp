@@ -1,0 +1,47 @@
+#include "app/loop/threads.hpp"
+
+#include <catch2/catch.hpp>
+
+using vortree::app::SharedCores;
+
+namespace {
+
+/// Seconds with all threads and with fewer, in looks of 0.1 s, where threads wait for such a share
+/// of the time if all are there.
+struct Share {
+  double all = 0, fewer = 0;
+};
+
+Share run(SharedCores& cores, int most, double seconds, double waiting) {
+  Share share;
+  int threads = cores.threads(0, 0);
+  for (double t = 0; t < seconds; t += 0.1) {
+    (threads == most ? share.all : share.fewer) += 0.1;
+    threads = cores.threads(0.1, threads == most ? 0.1 * most * waiting : 0);
+  }
+  return share;
+}
+
+}  // namespace
+
+TEST_CASE("threads stay where nothing else runs, and where there is but one") {
+  for (const int most : {1, 2, 8}) {
+    SharedCores cores(most);
+    CHECK(run(cores, most, 10, 0.05).fewer == 0);
+  }
+  SharedCores alone(1);
+  CHECK(alone.threads(1, 0.9) == 1);
+}
+
+TEST_CASE("among other programs threads go, are tried ever more rarely, and come back with rest") {
+  SharedCores cores(2);
+  const Share first = run(cores, 2, 10, 0.4), later = run(cores, 2, 200, 0.4);
+  CHECK(first.fewer > 0.9 * 10);
+  CHECK(later.fewer > 0.99 * 200);
+  CHECK(later.all > 0);
+  const Share rest = run(cores, 2, 200, 0.01);
+  CHECK(rest.all > 0.6 * 200);
+  CHECK(run(cores, 2, 10, 0.01).fewer == 0);
+  SharedCores many(8);
+  CHECK(many.threads(0.1, 0.4) == 4);
+}
