@@ -15,7 +15,7 @@ namespace {
 
 /// Rounds of a spinning thread, some tenths of a millisecond: gaps between loops are shorter.
 constexpr const char* rounds = "100000";
-/// So much of the time, in that of all threads together, they wait for cores where little else runs.
+/// So much of the time of all threads they wait for cores where little else runs.
 constexpr double at_rest = 0.1;
 /// Seconds after which it is judged, and for which threads go at most.
 constexpr double judged_after = 0.1, longest_rest = 60;

@@ -9,16 +9,16 @@
 
 namespace vortree::sph {
 
-/// A W-cycle of multigrid, in single precision: one Jacobi step, the residual summed over
-/// aggregates (aggregates.hpp), a correction from two visits there that is interpolated
-/// (coarse_rows.hpp), one Jacobi step more. All of it with what is near of A alone (near_rows.hpp). The orders of interpolation, two, and of summing, one,
-/// are together more than that of the equation, so that the rate of convergence does not depend on
-/// n; it is 0.3 to 0.4 a cycle.
+/// A W-cycle of multigrid, in single precision, with what is near of A alone (near_rows.hpp): one
+/// Jacobi step, the residual summed over aggregates (aggregates.hpp), a correction from two visits
+/// there that is interpolated (coarse_rows.hpp), one Jacobi step more. The orders of interpolation,
+/// two, and of summing, one, are together more than that of the equation, so that the rate of
+/// convergence does not depend on n; it is 0.3 to 0.4 a cycle.
 ///
 /// Jacobi steps divide by the diagonal (aggregates.hpp). The coarsest level, at most 120 rows, is
 /// solved directly; if its rows sum to nothing, then but for a constant.
 ///
-/// cost    a cycle: 2.3 products with A; memory of 1.3 A in floats
+/// cost    a cycle: 2.3 products with what is near; memory of 1.8 A in floats
 /// source  Trottenberg, Oosterlee & Schüller, Multigrid (2001), 2.4 and appendix A; orders:
 ///         Hemker, J. Comput. Appl. Math. 32 (1990)
 class Multigrid {
