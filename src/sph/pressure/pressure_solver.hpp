@@ -19,8 +19,8 @@ namespace vortree::sph {
 /// particles; twice as many where walls are cruder (tests/sph/pressure/solver.cpp).
 /// Where that gets stuck BiCGSTAB with ILU(0) goes on. Same bits for any number of threads.
 ///
-/// cost    0.6 microseconds a particle for prepare and a solve to 1e-5, of 22 neighbors, on one core;
-///         memory of A in doubles and twice in floats
+/// cost    0.6 microseconds a particle for prepare and a solve to 1e-5, of 22 neighbors, on one
+///         core; memory of A in doubles and twice in floats
 class PressureSolver {
  public:
   PressureSolver();
