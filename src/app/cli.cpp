@@ -18,6 +18,7 @@
 #include <system_error>
 
 #include "app/commands/check.hpp"
+#include "app/commands/lyapunov.hpp"
 #include "app/commands/plot.hpp"
 #include "app/commands/sweep.hpp"
 #include "app/grammar.hpp"
@@ -101,6 +102,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("bench")) return run_bench(words.benched, words.bench);
   if (program.got_subcommand("cases")) tell("{}", list_cases());
   if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors));
+  if (program.got_subcommand("lyapunov")) tell("{}", lyapunov(words.lyapunov));
   if (program.got_subcommand("plot")) plot_folder(words.folder);
   return arrived();
 }
@@ -112,6 +114,8 @@ std::string out_of_memory(const CLI::App& program, const Words& words) {
       return "the velocities of " + words.velocity.in.string();
     if (program.got_subcommand("neighbors"))
       return "the neighbors of " + words.neighbors.in.string();
+    if (program.got_subcommand("lyapunov"))
+      return "the tracers of " + words.lyapunov.folder.string();
     if (program.got_subcommand("run")) return "the run of " + words.run.scene;
     return program.got_subcommand("bench") ? "the bench of " + words.benched : "this command";
   }();

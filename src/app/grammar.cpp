@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -216,6 +217,31 @@ void add_neighbors(CLI::App& program, Words& words) {
   command.footer("example: vortree neighbors sph.h5 --out rows.h5 --rule mean --half");
 }
 
+void add_lyapunov(CLI::App& program, Words& words) {
+  auto& job = words.lyapunov;
+  auto& command = *program.add_subcommand(
+      "lyapunov", "how fast fluid is drawn apart (FTLE), by the pictures of a run");
+  const auto a_time =
+      must_be<double>("time >= 0", [](double t) { return t >= 0 && std::isfinite(t); });
+  command.add_option("DIR", job.folder, "folder of a run with pictures")->required()->check(a_name);
+  command.add_option("--from", job.from, "times at which tracers begin, on a grid")
+      ->required()
+      ->check(a_time)
+      ->type_name("T");
+  command.add_option("--to", job.to, "where each of them ends; earlier: backward in time")
+      ->required()
+      ->check(a_time)
+      ->type_name("T");
+  command.add_option("--spacing", job.spacing, "of the grid; by default that of the pictures")
+      ->check(must_be<double>("number > 0", [](double h) { return h > 0 && std::isfinite(h); }))
+      ->type_name("H");
+  add_threads(command, words);
+  command.footer(
+      "example: vortree lyapunov runs/wake --from 3 3.2 --to 2 2.2\n"
+      "forward ridges repel, backward ones attract; both of one time come into one figure:\n"
+      "vortree lyapunov runs/wake --from 3 3 --to 2 4");
+}
+
 void add_bench(CLI::App& program, Words& words) {
   auto& command = *program.add_subcommand(
       "bench",
@@ -258,6 +284,7 @@ std::unique_ptr<CLI::App> grammar(Words& words) {
   add_check(program, words);
   add_velocity(program, words);
   add_neighbors(program, words);
+  add_lyapunov(program, words);
   add_bench(program, words);
   program.add_subcommand("plot", "draw the figures of a run or a bench into its folder")
       ->add_option("DIR", words.folder, "folder of a run or a bench")

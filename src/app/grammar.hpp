@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands/bench.hpp"
+#include "app/commands/lyapunov.hpp"
 #include "app/commands/neighbors.hpp"
 #include "app/commands/velocity.hpp"
 #include "app/loop/run.hpp"
@@ -17,6 +18,7 @@ struct Words {
   RunOptions run;
   VelocityJob velocity;
   NeighborsJob neighbors;
+  LyapunovJob lyapunov;
   TreeBenchJob bench;
   std::string benched;
   std::string scene;

@@ -78,9 +78,18 @@ void refuse_output(const Case& of) {
   if (output.frames < of.time.dt)
     throw Refused("output.frames", fmt::format("output.frames is {}; it must be >= time.dt = {}",
                                                output.frames, of.time.dt));
-  if (!output.fields.empty() && !(output.window && output.field_spacing))
-    throw Refused("output.fields",
-                  "output.fields needs output.window and output.field_spacing beside it");
+  if (output.pictures() && !(output.window && output.field_spacing)) {
+    const std::string key = output.fields_every ? "output.fields_every" : "output.fields";
+    throw Refused(key, key + " needs output.window and output.field_spacing beside it");
+  }
+  if (output.fields_from && !output.fields_every)
+    throw Refused("output.fields_from", "output.fields_from needs output.fields_every beside it");
+  if (output.fields_every && of.time.end / *output.fields_every > most_pictures)
+    throw Refused(
+        "output.fields_every",
+        fmt::format("output.fields_every is {}; that makes {:.2g} pictures, {:.0e} at "
+                    "most are drawn",
+                    *output.fields_every, of.time.end / *output.fields_every, most_pictures));
   if (output.window) refuse_window(output);
 }
 

@@ -27,6 +27,11 @@ std::vector<Key> keys(OutputSettings& output) {
               "each is that of the nearest step"),
           key("fields", output.fields, not_negative, "T",
               "times of pictures, which need `output.window` and `output.field_spacing`"),
+          key("fields_every", output.fields_every, positive, "T",
+              "time between two pictures, beside those of `output.fields`: as many as there are "
+              "until the end"),
+          key("fields_from", output.fields_from, not_negative, "T",
+              "the first picture of `output.fields_every`, at the start if not written"),
           key("window", output.window, anything, "L", "[x0, y0, x1, y1] of the pictures"),
           key("field_spacing", output.field_spacing, positive, "L",
               "distance of the points of a picture")};

@@ -45,13 +45,17 @@ struct TimeSettings {
 /// frames   time between two saved frames; a loaded scene always has it (default: end/14, or dt,
 ///          in whole steps)
 /// fields   times of the pictures, drawn on `window` = [x0, y0, x1, y1] every `field_spacing`; a
-///          loaded scene that has fields has both
+///          loaded scene that has pictures has both
+/// fields_every, fields_from   more of them: from `fields_from` (the start) on, one after the other
 struct OutputSettings {
   double frames = 0;
   std::vector<double> fields{};
+  std::optional<double> fields_every{}, fields_from{};
   std::optional<std::array<double, 4>> window{};
   std::optional<double> field_spacing{};
   bool operator==(const OutputSettings&) const = default;
+
+  bool pictures() const { return !fields.empty() || fields_every; }
 };
 
 /// Their keys, in the order in which they are read and printed.

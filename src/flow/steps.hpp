@@ -21,6 +21,13 @@ inline constexpr double moment_slack = 1e-6;
 /// The moment next to t, as a step; one behind the last if it is later.
 [[nodiscard]] long nearest_step(double t, double dt, long last);
 
+/// More pictures than this are refused: a folder of fields is read as a whole.
+inline constexpr double most_pictures = 1e5;
+
+/// The times that a scene asks for pictures of: `fields`, and those every `fields_every` until
+/// `end`.
+[[nodiscard]] std::vector<double> picture_times(const OutputSettings& output, double end);
+
 /// The step for a scene that leaves it open, dt at most: the end is met, and of as many steps as
 /// that needs, or up to a fiftieth more, those are taken that meet most of the times of pictures
 /// and the interval of frames. A step that meets the end as it is stays, unless it can meet more.

@@ -27,6 +27,17 @@ void doubt_times(Warnings& list, const Case& of) {
         "output.frames = {:.9g} is no multiple of time.dt = {:.9g}: each frame is that of the "
         "nearest step, up to {:.2g} off",
         of.output.frames, dt, dt / 2));
+  const double every = of.output.fields_every.value_or(0), from = of.output.fields_from.value_or(0);
+  if (every > 0 && !(met(every, dt) && met(from, dt)))
+    list.push_back(fmt::format(
+        "output.fields_every = {:.9g} from {:.9g} on meets no multiples of time.dt = {:.9g}: each "
+        "picture is that of the nearest step, up to {:.2g} off, and named by its time",
+        every, from, dt, dt / 2));
+  if (every > 0 && nearest_step(from, dt, last) > last)
+    list.push_back(
+        fmt::format("output.fields_from = {:.9g}: beyond the end, t = {:.9g}; no "
+                    "picture",
+                    from, comes));
   std::vector<std::string> moved, beyond;
   for (const double t : of.output.fields) {
     const long step = nearest_step(t, dt, last);
@@ -69,7 +80,7 @@ std::array<double, 4> place_of_flow(const Case& of) {
 
 void doubt_output(Warnings& list, const Case& of) {
   const OutputSettings& output = of.output;
-  if (output.fields.empty()) return;
+  if (!output.pictures()) return;
   const auto [x0, y0, x1, y1] = *output.window;
   const auto flow = place_of_flow(of);
   const bool somewhere = of.body || (of.initial && !of.initial->kind->periodic);

@@ -88,8 +88,8 @@ void refuse_older_run(const fs::path& folder) {
     return refuse_more_than_a_start(folder);
   }
   for (const char* name : tables) refuse_older_table(folder / name);
-  for (const char* name :
-       {"summary.json", "fields.h5", "fields.xdmf", "frames.xdmf", "outline.csv"})
+  for (const char* name : {"summary.json", "fields.h5", "fields.xdmf", "frames.xdmf", "outline.csv",
+                           "lyapunov.h5", "lyapunov.xdmf"})
     if (fs::is_regular_file(folder / name)) refuse_older(folder / name);
 }
 
@@ -106,7 +106,8 @@ void refuse_older_figures(const fs::path& folder, std::string_view kind) {
 
 void remove_older_tables_and_pictures(const fs::path& folder) {
   for (const char* name : tables) io::remove_file(folder / name);
-  for (const char* name : {"fields.h5", "fields.xdmf", "outline.csv"})
+  for (const char* name :
+       {"fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5", "lyapunov.xdmf"})
     io::remove_file(folder / name);
   for (const fs::path& script : plot_scripts()) {
     const fs::path figure = (folder / script.stem()).concat(".png");

@@ -11,7 +11,9 @@ Timetable::Timetable(const io::Scene& scene)
     : dt_(scene.time.dt),
       frames_(scene.output.frames / scene.time.dt),
       last_(flow::last_step(scene.time)) {
-  for (const double t : scene.output.fields) fields_.push_back(flow::nearest_step(t, dt_, last_));
+  for (const double t : flow::picture_times(scene.output, scene.time.end))
+    fields_.push_back(flow::nearest_step(t, dt_, last_));
+  std::ranges::sort(fields_);
 }
 
 bool Timetable::frame_due(long step) const {
@@ -21,7 +23,7 @@ bool Timetable::frame_due(long step) const {
 }
 
 bool Timetable::field_due(long step) const {
-  return std::ranges::find(fields_, step) != fields_.end();
+  return std::ranges::binary_search(fields_, step);
 }
 
 }  // namespace vortree::app

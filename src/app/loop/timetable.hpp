@@ -21,7 +21,7 @@ class Timetable {
  private:
   double dt_, frames_;  // frames_ in steps
   long last_;
-  std::vector<long> fields_;
+  std::vector<long> fields_;  // ascending
 };
 
 }  // namespace vortree::app

@@ -53,9 +53,8 @@ std::string grid(std::string_view file, const FieldLabel& field) {
       "<Geometry GeometryType=\"VXVY\">\n{}{}</Geometry>\n",
       field.name, field.time, shape, item(path, "x", fmt::format("{}", field.columns)),
       item(path, "y", fmt::format("{}", field.rows)));
-  for (const char* name : {"u", "v", "omega"}) {
+  for (const std::string& name : field.values)
     text += attribute(name, "Scalar", item(path, name, shape));
-  }
   return text + "</Grid>\n";
 }
 

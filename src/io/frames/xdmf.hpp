@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/frames/group.hpp"
 
@@ -20,14 +21,16 @@ namespace vortree::io {
 /// Returns false, and changes nothing, if the page does not end as one made here.
 [[nodiscard]] bool add_to_xdmf(std::string& page, std::string_view file, const FrameLabel& frame);
 
-/// A field on a grid of rows (y) and columns (x), under its name in the HDF5 file.
+/// A field on a grid of rows (y) and columns (x), under its name in the HDF5 file, and what has
+/// values there.
 struct FieldLabel {
   std::string name;
   double time;
   std::size_t rows, columns;
+  std::vector<std::string> values{"u", "v", "omega"};
 };
 
-/// The same for fields: a temporal collection of rectilinear grids with u, v and omega.
+/// The same for fields: a temporal collection of rectilinear grids with their values.
 [[nodiscard]] std::string fields_xdmf_text(std::string_view file,
                                            std::span<const FieldLabel> fields);
 

@@ -84,6 +84,19 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path,
   return scene;
 }
 
+flow::Case parse_case(std::string_view resolved, const std::filesystem::path& path,
+                      const flow::Methods& methods) {
+  const Document document(resolved, path, {});
+  const Scene scene = read_scene(document, methods);
+  refuse_sizes(document, scene);
+  try {
+    flow::refuse_senseless(scene);
+  } catch (const Refused& refused) {
+    document.refuse(refused.key, refused.what());
+  }
+  return scene;
+}
+
 Scene load_scene(const std::filesystem::path& path, const flow::Methods& methods,
                  std::span<const std::string> overrides) {
   return parse_scene(read_text(path), path, methods, overrides);

@@ -96,6 +96,12 @@ struct Scene : flow::Case {
 /// The same run: every key that counts agrees; where the scenes were written does not.
 bool operator==(const Scene&, const Scene&);
 
+/// The flow of a scene that is complete, as `resolved` printed it: what it is held against may be
+/// elsewhere by now.
+/// throws  InputError as parse_scene
+[[nodiscard]] flow::Case parse_case(std::string_view resolved, const std::filesystem::path& path,
+                                    const flow::Methods& methods);
+
 /// Reads and validates a scene.
 ///
 /// path       a TOML file

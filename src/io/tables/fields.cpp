@@ -120,8 +120,10 @@ void refresh_xdmf(const fs::path& dir) {
     const h5::Handle file = h5::open_file(path);
     for (const auto& [index, name] : h5::links(file)) {
       const h5::Handle group = h5::own(H5Gopen2(file, name.c_str(), H5P_DEFAULT), name);
-      labels.push_back(
-          {name, h5::read_double(group, "time"), length_of(group, "y"), length_of(group, "x")});
+      labels.push_back({.name = name,
+                        .time = h5::read_double(group, "time"),
+                        .rows = length_of(group, "y"),
+                        .columns = length_of(group, "x")});
     }
   } catch (const h5::Failure& failure) {
     throw std::runtime_error(

@@ -9,6 +9,7 @@
 #include "body/extent.hpp"
 #include "flow/initial/widths.hpp"
 #include "flow/solver.hpp"
+#include "flow/steps.hpp"
 #include "vortex/choice/scales.hpp"
 
 namespace vortree::vortex {
@@ -65,7 +66,7 @@ double wall_blobs(const VortexCase& scene, double steps) {
 }
 
 double picture_points(const flow::OutputSettings& output) {
-  if (output.fields.empty()) return 0;
+  if (!output.pictures()) return 0;
   const auto [x0, y0, x1, y1] = *output.window;
   const double h = *output.field_spacing;
   return ((x1 - x0) / h + 1) * ((y1 - y0) / h + 1);
@@ -103,8 +104,9 @@ Cost cost_of(const VortexCase& scene) {
   const bool direct = scene.velocity.method == fmm::SumMethod::direct;
   const double velocities = direct ? 10 * mean * mean / operations_a_second : mean / blobs_a_second;
   const double solves = 4 * panels * panels / operations_a_second;
-  const double pictures = static_cast<double>(scene.output.fields.size()) *
-                          picture_points(scene.output) / points_a_second;
+  const double pictures =
+      static_cast<double>(flow::picture_times(scene.output, scene.time.end).size()) *
+      picture_points(scene.output) / points_a_second;
   c.seconds = c.setup + pictures + c.steps * (seconds_a_step + sums * (velocities + solves));
   return c;
 }

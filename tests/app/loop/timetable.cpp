@@ -71,6 +71,37 @@ TEST_CASE("a picture is that of the nearest step, and none beyond the end") {
   for (const long step : {0, 2, 3, 4}) CHECK_FALSE(table.field_due(step));
 }
 
+TEST_CASE(
+    "pictures one after the other: from the start or a time on, beside those that are named") {
+  const auto drawn_at = [](std::vector<std::string> overrides) {
+    const app::Timetable table(scene(std::move(overrides), true));
+    std::vector<long> steps;
+    for (long step = 0; step <= table.last_step(); ++step)
+      if (table.field_due(step)) steps.push_back(step);
+    return steps;
+  };
+  using Steps = std::vector<long>;
+  CHECK(drawn_at({"output.fields_every=0.04"}) == Steps{0, 1, 2, 3, 4, 5});
+  CHECK(drawn_at({"output.fields_every=0.08"}) == Steps{0, 2, 4});
+  CHECK(drawn_at({"output.fields_every=0.08", "output.fields_from=0.04"}) == Steps{1, 3, 5});
+  CHECK(drawn_at({"output.fields_every=0.08", "output.fields=[0.12]"}) == Steps{0, 2, 3, 4});
+  CHECK(drawn_at({"output.fields_every=1e-3"}) == Steps{0, 1, 2, 3, 4, 5});
+  CHECK(drawn_at({"output.fields_every=0.1", "output.fields_from=1"}).empty());
+}
+
+TEST_CASE("pictures one after the other that cannot be are refused, or doubted") {
+  CHECK_THROWS_WITH(scene({"output.fields_every=0.04"}), Catch::Contains("needs output.window"));
+  CHECK_THROWS_WITH(scene({"output.fields_from=0.04"}, true),
+                    Catch::Contains("output.fields_every"));
+  CHECK_THROWS_WITH(scene({"output.fields_every=1e-9"}, true), Catch::Contains("2e+08 pictures"));
+  CHECK_THROWS_WITH(scene({"output.fields_every=0"}, true), Catch::Contains("must be > 0"));
+  CHECK(flow::warnings(scene({"output.fields_every=0.08"}, true)).empty());
+  CHECK(flow::warnings(scene({"output.fields_every=0.05", "output.fields_from=0.3"}, true)) ==
+        Words{"output.fields_every = 0.05 from 0.3 on meets no multiples of time.dt = 0.04: each "
+              "picture is that of the nearest step, up to 0.02 off, and named by its time",
+              "output.fields_from = 0.3: beyond the end, t = 0.2; no picture"});
+}
+
 TEST_CASE("times that are met raise no doubt; others are named with what comes instead") {
   CHECK(flow::warnings(scene({"output.fields=[0.04,0.2]"}, true)).empty());
   CHECK(flow::warnings(scene({"output.frames=1e9"})).empty());
