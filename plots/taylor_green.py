@@ -4,6 +4,13 @@ import numpy as np
 from _style import BLUE, GREEN, INK, ORANGE, Nothing, figure, main, note
 
 
+def legend_above(axes):
+    """In room of its own: three tenths more of a logarithmic axis."""
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high * (high / low) ** 0.3)
+    axes.legend(loc="upper right")
+
+
 def draw(run):
     if run.check.get("exact") != "taylor_green" or "initial" not in run.scene:
         raise Nothing
@@ -29,7 +36,7 @@ def draw(run):
         error = report[f"{name}_error"]
         errors.semilogy(t, error, color=colour, label=f"{name}, {error[-1]:.2g} at the end")
     errors.set(ylabel="root mean square of the error  [relative]")
-    errors.legend(loc="best")
+    legend_above(errors)
 
     momentum = np.hypot(report["momentum_x"], report["momentum_y"])
     kept.semilogy(t, np.maximum(np.abs(report["volume"] - 1), 1e-16), color=GREEN,
@@ -37,7 +44,7 @@ def draw(run):
     kept.semilogy(t, np.maximum(momentum, 1e-16), color=BLUE,
                   label="momentum, of all fluid at speed $U$")
     kept.set(ylabel="what should be 0")
-    kept.legend(loc="best")
+    legend_above(kept)
     for axes in (energy, errors, kept):
         axes.set(xlabel="time  $Ut/L$", xlim=(0, t[-1]))
     return fig

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "exact/cylinder_drag.hpp"
+#include "io/scene/reference.hpp"
 #include "io/tables/table.hpp"
 
 namespace vortree::checks {

@@ -7,6 +7,7 @@
 #include "exact/kirchhoff_ellipse.hpp"
 #include "exact/lamb_oseen.hpp"
 #include "exact/vortex_pairs.hpp"
+#include "io/scene/reference.hpp"
 
 namespace vortree::checks {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "io/scene/reference.hpp"
 #include "io/tables/table.hpp"
 
 namespace vortree::checks {

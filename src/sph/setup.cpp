@@ -147,9 +147,11 @@ SphSetup setup_without_body(const SphCase& scene) {
 WantedSpacing wanted_of(const SphSettings& own, std::shared_ptr<const body::Shape> shape, Vec2 from,
                         double period) {
   WantedSpacing wanted(std::move(shape), own.spacing, own.levels, own.zone, own.growth, period);
-  for (const auto& [centre, half_axes, angle, spacing] : own.regions)
-    wanted.add_ellipse(Vec2{centre[0], centre[1]} - from, half_axes, angle * std::numbers::pi / 180,
-                       spacing);
+  for (const auto& [centre, half_axes, angle, spacing] : own.regions) {
+    const Vec2 at = Vec2{centre[0], centre[1]} - from;
+    wanted.add_ellipse({wrapped(at.x, period), wrapped(at.y, period)}, half_axes,
+                       angle * std::numbers::pi / 180, spacing);
+  }
   return wanted;
 }
 

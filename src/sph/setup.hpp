@@ -42,6 +42,7 @@ struct SphSetup {
 /// What a scene asks of the spacing, beside a body of some shape and in its regions.
 ///
 /// from     where the shape is seen from, in the scene
+/// period   of a periodic box, in which regions are there again in every period
 [[nodiscard]] WantedSpacing wanted_of(const SphSettings& own,
                                       std::shared_ptr<const body::Shape> shape, Vec2 from,
                                       double period = 0);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/rounded.hpp"
 #include "flow/near_wake.hpp"
 #include "sph/adapt/population.hpp"
 #include "sph/adapt/refine.hpp"
@@ -21,13 +22,12 @@
 #include "sph/motion/shift.hpp"
 #include "sph/motion/tuning.hpp"
 #include "sph/operators/interpolate.hpp"
-#include "tree/base/told.hpp"
 
 namespace vortree::sph {
 namespace {
 
 const std::string settings_to_blame =
-    "time.dt, sph.spacing, sph.levels and sph.box are what such flows hang on";
+    "sph.shift, time.dt, sph.spacing, sph.levels and sph.box are what such flows hang on";
 
 }  // namespace
 
@@ -143,14 +143,14 @@ double SphSolver::next_dt(double left) const {
   for (std::size_t i = 0; i < cloud_.size(); ++i) {
     const double u = std::sqrt(dot(cloud_.velocity(i), cloud_.velocity(i)));
     if (u > most_speed * setup_.scales.speed)
-      throw std::runtime_error("a particle moves " + tree::told(u / setup_.scales.speed) +
+      throw std::runtime_error("a particle moves " + rounded(u / setup_.scales.speed, 3) +
                                " times as fast as the stream; " + settings_to_blame);
     if (u * most > largest_courant * setup_.courant * cloud_.spacing[i])
       most = largest_courant * setup_.courant * cloud_.spacing[i] / u;
   }
   if (most < shortest_step * setup_.dt)
-    throw std::runtime_error("particles are so fast that a step of " + tree::told(setup_.dt) +
-                             " would have to be shorter than " + tree::told(most) + "; " +
+    throw std::runtime_error("particles are so fast that a step of " + rounded(setup_.dt, 3) +
+                             " would have to be shorter than " + rounded(most, 3) + "; " +
                              settings_to_blame);
   const auto parts = [&](double longest) {
     return std::ceil(left / std::min(most, longest) - 1e-9);

@@ -14,6 +14,7 @@
 #include "app/install_paths.hpp"
 #include "app/say.hpp"
 #include "io/files.hpp"
+#include "io/scene/reference.hpp"
 #include "io/scene/schema.hpp"
 #include "io/tables/outline.hpp"
 #include "io/while_reading.hpp"

@@ -7,6 +7,7 @@
 #include "base/free_memory.hpp"
 #include "flow/warnings.hpp"
 #include "io/input_error.hpp"
+#include "io/scene/reference.hpp"
 #include "sph/method.hpp"
 #include "vortex/method.hpp"
 
@@ -27,6 +28,7 @@ flow::Warnings warnings(const io::Scene& scene) {
   }
   flow::Warnings list = flow::warnings(scene);
   std::ranges::move(method.warnings(scene), std::back_inserter(list));
+  std::ranges::move(io::doubt_references(scene), std::back_inserter(list));
   return list;
 }
 

@@ -10,6 +10,7 @@
 
 #include "body/extent.hpp"
 #include "io/quote.hpp"
+#include "io/scene/reference.hpp"
 #include "io/scene/schema.hpp"
 #include "io/tables/table.hpp"
 
@@ -156,9 +157,7 @@ const std::array references{
 /// throws  InputError: no such file, no table, no such column
 void read_columns(const std::filesystem::path& path, const Reference& reference,
                   const CheckSettings& check) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw InputError(fmt::format("there is no file {}", shortened(path.string(), 100)));
+  require_reference_file(path);
   const Table table(path);
   for (const auto& [name, asked] : reference.columns)
     if (!asked || check.*asked) (void)table.column(name);

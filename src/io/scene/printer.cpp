@@ -99,7 +99,13 @@ std::string usual(const Key& key) {
   return text_of(key).value_or("none");
 }
 
-/// "> 0, <= 0.1", "8 .. 64", "a", "b"; nothing where anything goes.
+/// Of a rule that tells the values themselves, "2 or 4 was expected", those.
+std::string_view listed_by(const Rule& rule) {
+  constexpr std::string_view end = " was expected";
+  return rule.words.ends_with(end) ? rule.words.substr(0, rule.words.size() - end.size()) : "";
+}
+
+/// "> 0, <= 0.1", "8 .. 64", "2 or 4", "a", "b"; nothing where anything goes.
 std::string limits(const Key& key) {
   if (std::holds_alternative<bool*>(key.target)) return "true, false";
   if (const OneOf* choice = std::get_if<OneOf>(&key.target)) {
@@ -108,6 +114,7 @@ std::string limits(const Key& key) {
     return fmt::format("{}", fmt::join(words, ", "));
   }
   const Rule& rule = key.rule;
+  if (const std::string_view values = listed_by(rule); !values.empty()) return std::string(values);
   const bool below = rule.low > -endless, above = rule.high < endless;
   if (below && above && !rule.above_low && !rule.below_high)
     return fmt::format("{} .. {}", rule.low, rule.high);

@@ -102,17 +102,4 @@ Scene load_scene(const std::filesystem::path& path, const flow::Methods& methods
   return parse_scene(read_text(path), path, methods, overrides);
 }
 
-std::filesystem::path reference_path(const Scene& scene, std::string_view written) {
-  std::string name(written);
-  if (const auto at = name.find(by_reynolds); at != std::string::npos && scene.flow.reynolds)
-    name.replace(at, by_reynolds.size(), fmt::format("{}", *scene.flow.reynolds));
-  return scene.origin.path.parent_path() / name;
-}
-
-bool lacks_reference(const Scene& scene, std::string_view written) {
-  std::error_code error;
-  return scene.flow.reynolds && written.find(by_reynolds) != std::string_view::npos &&
-         !std::filesystem::exists(reference_path(scene, written), error);
-}
-
 }  // namespace vortree::io

@@ -42,7 +42,7 @@ namespace vortree::io {
 /// *_max, *_rms  largest and root-mean-square deviation allowed
 /// *_from        only for T >= this
 /// exact         the answer known by heart that a vortex of this kind is measured from
-/// *_reference   files as written, relative to the folder of the scene: see reference_path
+/// *_reference   files as written, relative to the folder of the scene: see reference.hpp
 struct CheckSettings {
   std::optional<std::string> drag_reference{};
   std::optional<double> drag_max{}, drag_rms{}, drag_from{}, early_drag_max{};
@@ -126,15 +126,5 @@ bool operator==(const Scene&, const Scene&);
 /// The scene as TOML with every default written out, but for the tables of methods that do not
 /// compute it; parse_scene(resolved(s), s.origin.path, s.methods) == s.
 [[nodiscard]] std::string resolved(const Scene&);
-
-/// Stands for the value of flow.reynolds in the name of a reference file.
-inline constexpr std::string_view by_reynolds = "{reynolds}";
-
-/// Where a reference file of [check] lies: relative to the folder of the scene file.
-[[nodiscard]] std::filesystem::path reference_path(const Scene&, std::string_view written);
-
-/// Whether a reference is named by the Reynolds number, and has no file for that of the scene: then
-/// what is held against it is not reached.
-[[nodiscard]] bool lacks_reference(const Scene&, std::string_view written);
 
 }  // namespace vortree::io

@@ -6,15 +6,18 @@
 
 #include "body/shapes/circle.hpp"
 #include "body/shapes/ellipse.hpp"
+#include "sph/adapt/tuning.hpp"
 
 namespace vortree::sph {
 
 Widening::Widening(double finest, double coarsest, double zone, double growth)
     : coarsest_(coarsest), distance_{zone}, spacing_{finest} {
+  const bool several = coarsest > 2 * finest * (1 + 1e-9);
   double width = zone;
   while (spacing_.back() < coarsest) {
     const double spacing = 2 * spacing_.back(), wider = growth * width + 2 * spacing;
-    distance_.push_back((width + wider) / 2);
+    const double near = several ? distance_.back() + spacing_.back() / steepest : 0;
+    distance_.push_back(std::max((width + wider) / 2, near));
     spacing_.push_back(spacing);
     width = wider;
   }

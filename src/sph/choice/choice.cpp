@@ -10,9 +10,9 @@
 namespace vortree::sph {
 namespace {
 
-/// 5 lengths around the body, and 7 on the side to which the stream goes.
+/// 5 times its extent around the body, and 7 on the side to which the stream goes.
 std::array<double, 4> usual_box(const flow::Case& of) {
-  const double d = body::length_of(*of.body);
+  const double d = extent_of(*of.body);
   const auto [x, y] = of.body->centre;
   const auto [u, v] = of.flow.stream;
   std::array<double, 4> box{x - 5 * d, y - 5 * d, x + 5 * d, y + 5 * d};

@@ -12,7 +12,8 @@ namespace vortree::sph {
 ///   region.spacing   spacing
 ///   levels     so many that the widest spacing is D/5 or more, if the box has room for them
 ///   zone       D/2, or what holds the rings
-///   box        5 D around the body's centre, 7 D on the side to which the stream goes
+///   box        5 D around the body's centre, 7 D on the side to which the stream goes; how far the
+///              body extends in place of D if that is more
 ///   reach      2.8 spacings with degree 2, 3.9 with degree 4 and pair sums
 ///   time.dt    courant of the finest spacings at the greatest speed
 ///

@@ -33,6 +33,11 @@ double spacing_at_box(const SphCase& scene) {
   return beside_body(scene).at({nearest, 0});
 }
 
+double extent_of(const body::BodySettings& body) {
+  const auto [half_x, half_y] = body::half_extent(body);
+  return std::max({body::length_of(body), 2 * half_x, 2 * half_y});
+}
+
 double thickness_of(const body::BodySettings& body) {
   return area_of(*body::outline_of(body)) / body::length_of(body);
 }

@@ -20,6 +20,10 @@ inline constexpr double bytes_of_particle = 5000;
 /// The finest that regions want at a node of the box.
 [[nodiscard]] double spacing_by_regions_at_box(const SphCase& scene);
 
+/// The larger of the length that a body's coefficients go by and the sides of the rectangle that it
+/// fills [L].
+[[nodiscard]] double extent_of(const body::BodySettings& body);
+
 /// Mean thickness of the body, its area over its length [L].
 [[nodiscard]] double thickness_of(const body::BodySettings& body);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/rounded.hpp"
 #include "body/extent.hpp"
 #include "flow/solver.hpp"
 #include "sph/choice/cost.hpp"
@@ -87,16 +88,15 @@ void refuse_spacing(const SphCase& scene) {
   const double length = body::length_of(*scene.body), thickness = thickness_of(*scene.body);
   const double most = std::min(length / 5, thickness / 2);
   if (own.spacing > most)
-    throw Refused(
-        "sph.spacing",
-        fmt::format("sph.spacing is {}; {:.3g} at most was expected: a fifth of the body's "
-                    "length, half its mean thickness",
-                    own.spacing, most));
+    throw Refused("sph.spacing",
+                  fmt::format("sph.spacing is {}; {} at most was expected: a fifth of the body's "
+                              "length, half its mean thickness",
+                              own.spacing, rounded_down(most, 3)));
   if (own.zone < own.rings * own.spacing)
     throw Refused("sph.zone",
                   fmt::format("sph.zone is {}; the {} rings of particles beside the body must lie "
-                              "within, {:.3g} or more was expected",
-                              own.zone, own.rings, own.rings * own.spacing));
+                              "within, {} or more was expected",
+                              own.zone, own.rings, rounded_up(own.rings * own.spacing, 3)));
 }
 
 void refuse_box(const SphCase& scene) {
@@ -108,9 +108,11 @@ void refuse_box(const SphCase& scene) {
   const double room = (own.rings + 2) * own.spacing + 2 * coarsest;
   if (!(x0 < x - half_x - room && x1 > x + half_x + room && y0 < y - half_y - room &&
         y1 > y + half_y + room))
-    throw Refused("sph.box", fmt::format("sph.box is [{}, {}, {}, {}]; {:.3g} around the body was "
-                                         "expected, for its rings and two of the widest spacings",
-                                         x0, y0, x1, y1, room));
+    throw Refused("sph.box",
+                  fmt::format("sph.box is [{}, {}, {}, {}]; more than {} around the body "
+                              "was expected, for its rings and two of the widest "
+                              "spacings",
+                              x0, y0, x1, y1, rounded_up(room, 3)));
   if (spacing_at_box(scene) < 0.5 * coarsest)
     throw Refused(
         "sph.levels",
@@ -133,8 +135,8 @@ void refuse_regions(const SphCase& scene) {
     if (region.spacing > coarsest)
       throw Refused("sph.region",
                     fmt::format("sph.region.spacing is {}; the widest that particles are anywhere, "
-                                "{:.3g}, or less was expected",
-                                region.spacing, coarsest));
+                                "{}, or less was expected",
+                                region.spacing, rounded_down(coarsest, 3)));
   }
   if (scene.sph.regions.empty() || periodic(scene)) return;
   if (const double least = spacing_by_regions_at_box(scene); least < 0.5 * coarsest)
@@ -157,9 +159,10 @@ void refuse_periodic_box(const SphCase& scene, double wavelength) {
   if (const double most = wavelength / 8; coarsest_of(scene.sph) > most * (1 + 1e-9))
     throw Refused("sph.spacing",
                   fmt::format("sph.spacing is {} and sph.levels is {}, so that particles are up to "
-                              "{:.3g} apart; an eighth of initial.wavelength, {:.3g}, or less was "
+                              "{:.6g} apart; an eighth of initial.wavelength, {}, or less was "
                               "expected",
-                              scene.sph.spacing, scene.sph.levels, coarsest_of(scene.sph), most));
+                              scene.sph.spacing, scene.sph.levels, coarsest_of(scene.sph),
+                              rounded_down(most, 3)));
 }
 
 void refuse_periodic(const SphCase& scene) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rounded.hpp"
 #include "body/extent.hpp"
 #include "body/shapes/shapes.hpp"
 #include "flow/initial/widths.hpp"
@@ -14,27 +15,32 @@
 namespace vortree::sph {
 namespace {
 
+/// By more than what six digits do not show.
+bool exceeds(double spacing, double widest) {
+  return spacing > widest * (1 + 1e-5);
+}
+
 /// A layer of the thickness D/sqrt(Re) wants three spacings.
 void doubt_spacing(flow::Warnings& list, const SphCase& scene) {
   const double length = body::length_of(*scene.body);
   const double reynolds = flow::fastest_of(scene) * length / scene.flow.nu;
   const double widest = length / std::sqrt(reynolds) / 3;
-  if (scene.sph.spacing > widest)
+  if (exceeds(scene.sph.spacing, widest))
     list.push_back(fmt::format(
-        "sph.spacing = {:.3g}: at Re = {:.4g} the layer beside the body is {:.2g} thick; forces "
-        "want {:.2g} or less",
-        scene.sph.spacing, reynolds, 3 * widest, widest));
+        "sph.spacing = {:.6g}: at Re = {:.4g} the layer beside the body is {:.2g} thick; forces "
+        "want {} or less",
+        scene.sph.spacing, reynolds, 3 * widest, rounded_down(widest, 2)));
 }
 
 /// Less than two rows of neighbors fit beside each other in the body.
 void doubt_thickness(flow::Warnings& list, const SphCase& scene) {
   const double thickness = thickness_of(*scene.body), widest = thickness / 4;
-  if (scene.sph.spacing > widest)
+  if (exceeds(scene.sph.spacing, widest))
     list.push_back(
-        fmt::format("sph.spacing = {:.3g}: the body is {:.2g} thick in the mean, and particles on "
+        fmt::format("sph.spacing = {:.6g}: the body is {:.2g} thick in the mean, and particles on "
                     "both sides of "
-                    "it would feel each other; {:.2g} or less is wanted",
-                    scene.sph.spacing, thickness, widest));
+                    "it would feel each other; {} or less is wanted",
+                    scene.sph.spacing, thickness, rounded_down(widest, 2)));
 }
 
 void doubt_motion(flow::Warnings& list, const SphSettings& own) {
@@ -47,8 +53,28 @@ void doubt_motion(flow::Warnings& list, const SphSettings& own) {
         "sph.courant = {:.3g}: particles pass each other in one step; 0.3 holds", own.courant));
 }
 
+/// A particle as wide as that sees the body as one of its neighbors.
+void doubt_levels(flow::Warnings& list, const SphCase& scene) {
+  const double length = body::length_of(*scene.body), coarsest = coarsest_of(scene.sph);
+  if (scene.sph.levels > 1 && coarsest > length / 2)
+    list.push_back(
+        fmt::format("sph.levels = {}: the widest particles are {:.3g} apart, more than half the "
+                    "length of the body, {:.3g}; a fifth is wanted",
+                    scene.sph.levels, coarsest, length));
+}
+
+/// Measured at Re = 1000: with 8 particles a wavelength the flow falls into other vortices.
+void doubt_wavelength(flow::Warnings& list, const SphCase& scene, double wavelength) {
+  const double coarsest = coarsest_of(scene.sph), widest = wavelength / 12;
+  if (exceeds(coarsest, widest))
+    list.push_back(
+        fmt::format("sph.spacing: particles are {:.6g} apart, hardly {:.2g} in a "
+                    "wavelength; {} or less is wanted",
+                    coarsest, wavelength / coarsest, rounded_down(widest, 2)));
+}
+
 void doubt_box(flow::Warnings& list, const SphCase& scene) {
-  const double length = body::length_of(*scene.body);
+  const double length = extent_of(*scene.body);
   const auto [x, y] = scene.body->centre;
   const auto [x0, y0, x1, y1] = *scene.sph.box;
   const double room = std::min({x - x0, x1 - x, y - y0, y1 - y}) / length;
@@ -93,19 +119,27 @@ void doubt_neighbors(flow::Warnings& list, const SphCase& scene) {
       word(scene.neighbors.method), particles));
 }
 
+/// A region that is no finer than all, or where no particles are.
+void doubt_region(flow::Warnings& list, const SphSettings& own, std::size_t k) {
+  const auto& [centre, half_axes, angle, spacing] = own.regions[k];
+  if (const double coarsest = coarsest_of(own); spacing > 0.99 * coarsest)
+    list.push_back(fmt::format(
+        "sph.region[{}].spacing = {:.6g} has no effect: with sph.levels = {} particles are at most "
+        "{:.6g} apart",
+        k, spacing, own.levels, coarsest));
+  const auto [x0, y0, x1, y1] = *own.box;
+  const auto [x, y] = centre;
+  if (own.outside != Outside::periodic && (x < x0 || x > x1 || y < y0 || y > y1))
+    list.push_back(
+        fmt::format("sph.region[{}].centre = [{:.4g}, {:.4g}] lies outside of sph.box", k, x, y));
+}
+
 /// What asks for finer particles where all are alike, or where none are.
 void doubt_wishes(flow::Warnings& list, const SphSettings& own) {
-  if (own.levels == 1 && (own.vorticity || !own.regions.empty()))
+  if (own.levels == 1 && own.vorticity)
     list.push_back(
-        fmt::format("{} has no effect with sph.levels = 1, where all particles are alike",
-                    own.vorticity ? "sph.vorticity" : "sph.region"));
-  const auto [x0, y0, x1, y1] = *own.box;
-  for (std::size_t k = 0; k < own.regions.size(); ++k) {
-    const auto [x, y] = own.regions[k].centre;
-    if (x < x0 || x > x1 || y < y0 || y > y1)
-      list.push_back(
-          fmt::format("sph.region[{}].centre = [{:.4g}, {:.4g}] lies outside of sph.box", k, x, y));
-  }
+        "sph.vorticity has no effect with sph.levels = 1, where all particles are alike");
+  for (std::size_t k = 0; k < own.regions.size(); ++k) doubt_region(list, own, k);
 }
 
 /// Particles beside a vortex tell little of it if it is thinner than two of them.
@@ -128,7 +162,9 @@ flow::Warnings warnings(const SphCase& scene) {
   flow::Warnings list;
   if (scene.body) doubt_spacing(list, scene), doubt_thickness(list, scene);
   doubt_motion(list, scene.sph);
-  if (scene.body) doubt_box(list, scene), doubt_sides(list, scene);
+  if (scene.body) doubt_levels(list, scene), doubt_box(list, scene), doubt_sides(list, scene);
+  if (const auto flow = flow::periodic_flow_of(scene))
+    doubt_wavelength(list, scene, flow->wavelength);
   doubt_neighbors(list, scene);
   doubt_wishes(list, scene.sph);
   if (scene.initial && scene.body) doubt_initial(list, scene);

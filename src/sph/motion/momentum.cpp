@@ -3,10 +3,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/rounded.hpp"
 #include "sph/motion/tuning.hpp"
 #include "sph/operators/derivatives.hpp"
 #include "sph/pressure/diagonal_dominant.hpp"
-#include "tree/base/told.hpp"
 
 namespace vortree::sph {
 namespace {
@@ -165,7 +165,7 @@ int Momentum::diffuse(Cloud& cloud, const MomentumInput& input) {
   for (const Solved& one : solved)
     if (!(one.residual < 100 * viscous_tolerance))
       throw std::runtime_error("the viscous step is not solved: a residual of " +
-                               tree::told(one.residual) + " is left");
+                               rounded(one.residual, 3) + " is left");
   return solved[0].iterations;
 }
 

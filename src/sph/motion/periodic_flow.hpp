@@ -20,8 +20,9 @@ void begin(Cloud& cloud, const flow::PeriodicFlow& exact);
 /// momentum          sum V u [L^3/T]
 /// energy            sum V |u|^2/2 [L^4/T^2]
 /// enstrophy         sum V omega^2 [L^2/T^2]
-/// velocity_error    sqrt(sum V |u - u_exact|^2 / sum V |u_exact|^2)
-/// pressure_error    the same of p, its mean taken off both
+/// velocity_error    sqrt(sum V |u - u_exact|^2 / sum V |u_exact|^2); of a flow that has decayed to
+///                   less than a millionth of its velocity, in those of a millionth
+/// pressure_error    the same of p, its mean taken off both, which decays with the square
 struct PeriodicBudget {
   double volume = 0;
   Vec2 momentum{};

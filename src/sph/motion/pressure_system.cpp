@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/rounded.hpp"
 #include "sph/motion/tuning.hpp"
 #include "tree/base/simd.hpp"
-#include "tree/base/told.hpp"
 
 namespace vortree::sph {
 namespace {
@@ -104,7 +104,7 @@ Solved PressureSystem::solve(std::span<const double> source, std::span<const dou
   const Solved solved = solver_.solve(right_, p, tolerance, most_iterations);
   if (!(solved.residual < std::min(100 * tolerance, 0.01 + tolerance)))
     throw std::runtime_error("the pressure is not found: a residual of " +
-                             tree::told(solved.residual) + " is left after " +
+                             rounded(solved.residual, 3) + " is left after " +
                              std::to_string(solved.iterations) + " iterations");
   if (!pinned_) return solved;
   double mean = 0, all = 0;

@@ -29,16 +29,38 @@ bool beside_wall(const Cloud& cloud, std::size_t i) {
   return cloud.kind[i] == ParticleKind::ring || cloud.kind[i] == ParticleKind::wall;
 }
 
-/// By their normals a wall may stand between them.
-bool back_to_back(const Cloud& cloud, std::size_t i, std::size_t j) {
-  const Vec2 d = cloud.at(j) - cloud.at(i), n = cloud.normal(i), m = cloud.normal(j);
-  return dot(d, n) < 0 && dot(d, m) > 0 && dot(n, m) < 0;
+/// The normal of the wall that a particle has in its reach, or 0.
+Vec2 facing(const Cloud& cloud, const body::Shape& shape, double reach, std::size_t i) {
+  if (beside_wall(cloud, i)) return cloud.normal(i);
+  const double near = reach * cloud.spacing[i];
+  if (!cloud.free(i) || shape.beyond(cloud.at(i), near)) return {};
+  const body::WallPoint wall = shape.nearest(cloud.at(i));
+  return wall.distance < near ? wall.normal : Vec2{};
 }
 
-bool apart(const Cloud& cloud, const body::Shape& shape, std::size_t i, std::size_t j) {
-  if (!beside_wall(cloud, j) || !back_to_back(cloud, i, j)) return false;
-  // The same answer for both.
-  return hidden(shape, cloud.at(std::min(i, j)), cloud.at(std::max(i, j)));
+/// Particles and the walls that they face.
+struct Onlookers {
+  const Cloud& cloud;
+  const body::Shape& shape;
+  std::vector<Vec2> normal;
+
+  /// By their normals a wall may stand between them.
+  bool back_to_back(std::size_t i, std::size_t j) const {
+    const Vec2 d = cloud.at(j) - cloud.at(i), n = normal[i], m = normal[j];
+    return dot(d, n) < 0 && dot(d, m) > 0 && dot(n, m) < 0;
+  }
+
+  bool apart(std::size_t i, std::size_t j) const {
+    // The same answer for both.
+    return back_to_back(i, j) && hidden(shape, cloud.at(std::min(i, j)), cloud.at(std::max(i, j)));
+  }
+};
+
+Onlookers onlookers(const Cloud& cloud, const body::Shape& shape, double reach) {
+  Onlookers of{cloud, shape, std::vector<Vec2>(cloud.size())};
+#pragma omp parallel for schedule(dynamic, 64)
+  for (std::size_t i = 0; i < cloud.size(); ++i) of.normal[i] = facing(cloud, shape, reach, i);
+  return of;
 }
 
 }  // namespace
@@ -52,7 +74,9 @@ bool hidden(const body::Shape& shape, Vec2 from, Vec2 to) {
   return dot(entered, left) < 0 && dot(entered, d) < 0 && dot(left, d) > 0;
 }
 
-void keep_in_sight(tree::PairList& rows, const Cloud& cloud, const body::Shape& shape) {
+void keep_in_sight(tree::PairList& rows, const Cloud& cloud, const body::Shape& shape,
+                   double reach) {
+  const Onlookers all_of = onlookers(cloud, shape, reach);
   const std::size_t n = rows.size();
   std::vector<std::int64_t> kept(n);
   std::int64_t all = 0;
@@ -60,10 +84,9 @@ void keep_in_sight(tree::PairList& rows, const Cloud& cloud, const body::Shape& 
   for (std::size_t i = 0; i < n; ++i) {
     std::int32_t* const row = rows.index.data() + rows.start[i];
     std::int32_t* end = rows.index.data() + rows.start[i + 1];
-    if (beside_wall(cloud, i))
-      end = std::remove_if(row, end, [&](std::int32_t j) {
-        return apart(cloud, shape, i, static_cast<std::size_t>(j));
-      });
+    if (all_of.normal[i].x != 0 || all_of.normal[i].y != 0)
+      end = std::remove_if(
+          row, end, [&](std::int32_t j) { return all_of.apart(i, static_cast<std::size_t>(j)); });
     kept[i] = end - row, all += kept[i];
   }
   if (all == rows.start[n]) return;

@@ -16,10 +16,13 @@ namespace vortree::sph {
 ///         (1996), 3, section 7: the visibility criterion
 [[nodiscard]] bool hidden(const body::Shape& shape, Vec2 from, Vec2 to);
 
-/// Takes those pairs out of lists that hold them both ways. Free particles count as seen: rings
-/// keep them so far away that what is behind a body is out of their reach.
+/// Takes those pairs out of lists that hold them both ways. Those are asked that have the wall in
+/// their reach: nodes, rings, and free particles where rings are too few to keep them away.
 ///
-/// cost  that of hidden() for nodes and rings that are back to back
-void keep_in_sight(tree::PairList& rows, const Cloud& cloud, const body::Shape& shape);
+/// reach  of a particle [spacings]
+/// cost   that of hidden() for those that are back to back, and of a glance at the wall for each
+///        free particle
+void keep_in_sight(tree::PairList& rows, const Cloud& cloud, const body::Shape& shape,
+                   double reach);
 
 }  // namespace vortree::sph

@@ -138,7 +138,7 @@ void Stencils::find_neighbors(const Cloud& cloud, const OperatorOptions& options
     arrange(images_.points(), cloud.size());
   } else {
     lists_.renew(cloud.points(), reach_, cloud.was, options.neighbors, skin);
-    if (options.body) keep_in_sight(lists_.rows(), cloud, *options.body);
+    if (options.body) keep_in_sight(lists_.rows(), cloud, *options.body, options.reach);
     arrange(cloud.points(), cloud.size());
   }
 }

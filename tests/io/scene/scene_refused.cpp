@@ -1,3 +1,4 @@
+#include "io/scene/reference.hpp"
 #include "scenes.hpp"
 
 using namespace vortree::io;
@@ -188,6 +189,9 @@ TEST_CASE("a reference file is looked for beside the scene, and must be there") 
   box.write("reference/drag.csv", "T,C_D\n");
   const Scene scene = load_scene(path, by_vortices());
   CHECK(reference_path(scene, *scene.check.drag_reference) == file);
+  const std::vector<std::string> mistyped{"check.drag_reference='reference/darg.csv'"};
+  CHECK_THAT(refusal([&] { (void)load_scene(path, by_vortices(), mistyped); }),
+             EndsWith("darg.csv; did you mean drag.csv?"));
 }
 
 TEST_CASE("a reference may be named by the Reynolds number, which need not be known") {
@@ -212,6 +216,53 @@ TEST_CASE("a reference may be named by the Reynolds number, which need not be kn
   CHECK_THAT(refusal([&] { (void)with("flow.reynolds=40.5"); }), Contains("no column C_D"));
   CHECK_THAT(refused(plain, {"check.drag_reference='" + written + "'"}),
              EndsWith("{reynolds} needs flow.reynolds"));
+}
+
+TEST_CASE("a name by the Reynolds number that no file has for any number is mistyped") {
+  const Sandbox box;
+  std::filesystem::create_directory(box / "known");
+  box.write("known/drag_re20.csv", "T,C_D\n");
+  const auto path =
+      box.write("scene.toml",
+                "[flow]\nreynolds = 20.0\nstream = [1, 0]\n[body]\nradius = 0.5\n"
+                "[cores]\nsigma_0 = 0.05\nsigma_max = 0.1\n[time]\ndt = 0.01\nend = 2\n"
+                "[check]\ndrag_reference = \"known/drag_re{reynolds}.csv\"\ndrag_max = 0.1\n");
+  const auto with = [&](const std::string& reference) {
+    return refusal([&] {
+      (void)load_scene(path, by_vortices(),
+                       std::vector<std::string>{"check.drag_reference='" + reference + "'"});
+    });
+  };
+  CHECK_THAT(with("known/darg_re{reynolds}.csv"),
+             EndsWith("there is no file " + (box / "known/darg_re20.csv").string() +
+                      "; did you mean drag_re20.csv?"));
+  CHECK_THAT(with("unknown/drag_re{reynolds}.csv"),
+             EndsWith("there is no file " + (box / "unknown/drag_re20.csv").string()));
+}
+
+TEST_CASE("a reference whose notes tell another Reynolds number is doubted") {
+  const Sandbox box;
+  const auto path =
+      box.write("scene.toml",
+                "[flow]\nreynolds = 20.0\nstream = [1, 0]\n[body]\nradius = 0.5\n"
+                "[cores]\nsigma_0 = 0.05\nsigma_max = 0.1\n[time]\ndt = 0.01\nend = 2\n"
+                "[check]\ndrag_reference = \"known.csv\"\ndrag_max = 0.1\n");
+  const auto doubts = [&](const std::string& override) {
+    return doubt_references(load_scene(path, by_vortices(), std::vector<std::string>{override}));
+  };
+  for (const char* note : {"# Re = U D / nu = 20, symmetric\n", "# solved for Re = 20; alone\n",
+                           "# made by hand\n#\n# Re = 2e1\n"}) {
+    box.write("known.csv", note + std::string("T,C_D\n"));
+    CHECK(doubts("seed=1").empty());
+    REQUIRE(doubts("flow.reynolds=1e5").size() == 1);
+    CHECK_THAT(doubts("flow.reynolds=1e5")[0],
+               Contains("\"known.csv\": it says Re = 20, and the flow has 100000"));
+    CHECK(doubts("flow.stream=[2,0]").empty());  // the viscosity follows
+  }
+  for (const char* silent : {"", "# Re = many\n", "# where Re is known\n"}) {
+    box.write("known.csv", silent + std::string("T,C_D\n"));
+    CHECK(doubts("flow.reynolds=1e5").empty());
+  }
 }
 
 TEST_CASE("a reference file is a table with the columns that the check asks for") {

@@ -1,5 +1,6 @@
 #include "sph/adapt/wanted_spacing.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -21,7 +22,8 @@ TEST_CASE("the wanted spacing is that of a level at its distance, and linear bet
   CHECK(away(zone) == Approx(s).epsilon(1e-12));
   double w = zone, before = zone, spacing = s;
   for (int level = 1; level < 4; ++level) {
-    const double wider = growth * w + 2 * 2 * spacing, d = (w + wider) / 2;
+    const double wider = growth * w + 2 * 2 * spacing,
+                 d = std::max((w + wider) / 2, before + 4 * spacing);
     CHECK(away(d) == Approx(2 * spacing).epsilon(1e-12));
     CHECK(away(before + 0.25 * (d - before)) == Approx(1.25 * spacing).epsilon(1e-12));
     w = wider, before = d, spacing *= 2;
@@ -45,6 +47,17 @@ TEST_CASE("the wanted spacing is continuous, and nowhere steeper than two in a r
   }
 }
 
+TEST_CASE("however narrow the zone and small the growth, spacing widens by a quarter of the way") {
+  for (const double growth : {1.0, 1.2, 2.0})
+    for (const double zone : {0.0, 0.05}) {
+      const Widening widening(0.02, 0.32, zone, growth);  // four times two
+      CHECK(widening.at(zone + 0.04) <= 0.03 * (1 + 1e-12));
+      CHECK(widening.end() >= zone + 4 * (0.32 - 0.02) * (1 - 1e-12));
+      for (double d = 0; d < 2; d += 0.01)
+        REQUIRE(widening.at(d + 0.01) - widening.at(d) <= 0.25 * 0.01 * (1 + 1e-9));
+    }
+}
+
 TEST_CASE("one level, and no body, want the coarsest spacing everywhere") {
   const std::shared_ptr<const body::Shape> circle = body::circle({}, 0.5);
   for (const double x : {0.0, 0.6, 5.0}) {
@@ -63,14 +76,14 @@ TEST_CASE("within an ellipse particles are as fine as it asks for, and wider fro
     CHECK(wanted.at(middle + 0.5 * inside * along) == 0.05);
     CHECK(wanted.at(middle + 0.1 * inside * across) == 0.05);
   }
-  // From 0 to d_1 = 2 s_0 it doubles, to d_2 = 10 s_0 once more.
-  CHECK(wanted.at(middle + (0.5 + 0.05) * along) == Approx(0.075).epsilon(1e-6));
-  CHECK(wanted.at(middle + (0.1 + 0.1) * across) == Approx(0.1).epsilon(1e-6));
-  CHECK(wanted.at(middle + (0.1 + 0.3) * across) == Approx(0.15).epsilon(1e-6));
-  CHECK(wanted.at(middle + (0.1 + 0.6) * across) == 0.2);
+  // From 0 to d_1 = 4 s_0 it doubles, to d_2 = 4 s_0 + 8 s_0 once more.
+  CHECK(wanted.at(middle + (0.5 + 0.1) * along) == Approx(0.075).epsilon(1e-6));
+  CHECK(wanted.at(middle + (0.1 + 0.2) * across) == Approx(0.1).epsilon(1e-6));
+  CHECK(wanted.at(middle + (0.1 + 0.4) * across) == Approx(0.15).epsilon(1e-6));
+  CHECK(wanted.at(middle + (0.1 + 0.7) * across) == 0.2);
 }
 
-TEST_CASE("the finest of several wishes counts, none steeper than a half") {
+TEST_CASE("the finest of several wishes counts, none steeper than a quarter") {
   const std::shared_ptr<const body::Shape> circle = body::circle({}, 0.5);
   WantedSpacing wanted(circle, 0.02, 5, 0.1, 2);
   const WantedSpacing beside_body = wanted;
@@ -84,7 +97,7 @@ TEST_CASE("the finest of several wishes counts, none steeper than a half") {
   for (double x = -3 + step; x < 4; x += step) {
     const double now = wanted.at({x, 0.05});
     REQUIRE(now <= beside_body.at({x, 0.05}));
-    REQUIRE(std::abs(now - before) <= 0.5 * step * (1 + 1e-9));
+    REQUIRE(std::abs(now - before) <= 0.25 * step * (1 + 1e-9));
     before = now;
   }
 }

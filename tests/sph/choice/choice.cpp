@@ -43,6 +43,18 @@ TEST_CASE("the box is longer on the side to which the stream goes, around the bo
   }
 }
 
+TEST_CASE("the box goes by how far an ellipse extends, not by its first axis") {
+  const auto box = [](double radius, double across, double incidence) {
+    SphScene scene;
+    scene.of.body = vortree::test::ellipse(radius, across, incidence);
+    return scene.set("spacing", 0.02).choose().box();
+  };
+  for (const Box& found : {box(0.1, 0.5, 0), box(0.1, 0.5, 90), box(0.5, 0.1, 90)}) {
+    const Box wanted{-5, -5, 7, 5};
+    for (int k = 0; k < 4; ++k) CHECK(found[k] == Approx(wanted[k]).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("what is written of SPH stays as it is written") {
   SphScene scene;
   scene.of.accuracy = 0.01;
@@ -281,4 +293,55 @@ TEST_CASE("vortices thinner than particles, and wishes that nothing comes of, ar
           scene.set("levels", 1).region({1, 1}, {0.2, 0.2}, 0.05);
         }) == usual + 1);
   CHECK(told([](SphScene& scene) { scene.region({50, 0}, {0.2, 0.2}, 0.05); }) == usual + 1);
+}
+
+TEST_CASE("particles wider than half the body are warned of") {
+  const auto told = [](const auto& change) {
+    SphScene scene;
+    scene.set("spacing", 0.05);
+    change(scene);
+    scene.choose();
+    return scene.method.warnings(scene.of).size();
+  };
+  const std::size_t usual = told([](SphScene&) {});
+  const auto with = [&](const char* key, auto value, int levels) {
+    return told([&](SphScene& scene) { scene.set(key, value).set("levels", levels); });
+  };
+  CHECK(with("zone", 0.3, 4) == usual);      // 0.4 apart at most
+  CHECK(with("zone", 0.3, 5) == usual + 1);  // 0.8
+}
+
+TEST_CASE("hardly ten particles in a wavelength are warned of, and neither degree there is") {
+  const auto told = [](int particles, int degree) {
+    SphScene scene = vortices(particles, degree).choose();
+    return scene.method.warnings(scene.of).size();
+  };
+  CHECK(told(10, 2) == 1);
+  CHECK(told(12, 2) == 0);
+  CHECK(told(16, 4) == 0);
+}
+
+TEST_CASE("a region in a periodic box has an effect with one level, wherever it is written") {
+  const auto told = [](SphScene scene) {
+    scene.choose();
+    return scene.method.warnings(scene.of).size();
+  };
+  const std::size_t usual = told(vortices(32));
+  CHECK(told(vortices(32).region({0.5, 0.5}, {0.2, 0.2}, 1.0 / 64)) == usual);
+  CHECK(told(vortices(32).region({7.5, -3.5}, {0.2, 0.2}, 1.0 / 64)) == usual);
+  CHECK(told(vortices(32).region({0.5, 0.5}, {0.2, 0.2}, 1.0 / 32)) == usual + 1);
+}
+
+TEST_CASE("a warning of a spacing tells one that is less than that, and is not warned of") {
+  const auto told = [](double spacing) {
+    SphScene scene;  // Re = 20: a third of D/sqrt(20), 0.074536
+    scene.set("spacing", spacing).choose();
+    const auto list = scene.method.warnings(scene.of);
+    return list.empty() ? std::string() : list.front();
+  };
+  for (const double spacing : {0.07454, 0.0746, 0.075})
+    CHECK_THAT(told(spacing), Contains("forces want 0.074 or less"));
+  CHECK_THAT(told(0.0746), Contains("sph.spacing = 0.0746:"));
+  CHECK(told(0.074).empty());
+  CHECK(told(0.0745355).empty());
 }
