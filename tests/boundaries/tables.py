@@ -180,6 +180,15 @@ def what_is_paid_for():
                 [[], *([1e-6 * told["peak_bytes"]] for told in both)]])
 
 
+def cost_of_a_particle():
+    """By numbers of particles and threads: cases/methods.md."""
+    rows = read("cases/methods_cost.csv")
+    hold_table(METHODS, "| particles | microseconds",
+               [[[one["particles"]], [one["microseconds"]], [two["microseconds"]],
+                 [one["pressure"]], [one["neighbors"]], [1e-3 * float(one["bytes"])]]
+                for one, two in zip(rows[0::2], rows[1::2])])
+
+
 def vortices_by_sph():
     """The sweeps of taylor_green, uniform and with a finer disc: cases/README.md."""
     uniform, disc = read("cases/taylor_green.csv"), read("cases/taylor_green_disc.csv")
@@ -299,6 +308,7 @@ held_against_the_reference()
 accuracy_by_second()
 long_runs()
 what_is_paid_for()
+cost_of_a_particle()
 vortices_by_sph()
 three_ways_to_diffuse()
 found, asked = reached()

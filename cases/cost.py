@@ -1,0 +1,41 @@
+#!/usr/bin/python3
+"""Writes methods_cost.csv anew: what a step of SPH costs by particles and threads.
+
+    ./vortree run SCENE sph.spacing=S time.end=T 'output.fields=[]' check={} --threads N --out RUN
+    cases/cost.py RUN...
+
+A row a run: particles at most, threads, microseconds of the steps' time a particle and step, shares
+of pressure and neighbors in it, bytes of memory a particle.
+"""
+
+import csv
+import json
+import sys
+from pathlib import Path
+
+TABLE = Path(__file__).resolve().parent / "methods_cost.csv"
+NAMES = ("particles", "threads", "microseconds", "pressure", "neighbors", "bytes")
+NOTE = "# Written by cases/cost.py from what runs have left.\n"
+
+
+def row(summary):
+    seconds = {phase: took for phase, took in summary["seconds"].items() if phase != "total"}
+    whole = sum(seconds.values())
+    return (summary["largest_particle_count"], summary["threads"],
+            f"{1e6 * whole / summary['particle_steps']:.4f}",
+            f"{seconds['pressure'] / whole:.4f}", f"{seconds['neighbors'] / whole:.4f}",
+            f"{summary['peak_bytes'] / summary['largest_particle_count']:.0f}")
+
+
+def main():
+    runs = [json.loads((Path(run) / "summary.json").read_text()) for run in sys.argv[1:]]
+    if not runs:
+        sys.exit(__doc__)
+    with TABLE.open("w") as file:
+        file.write(NOTE)
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(NAMES)
+        table.writerows(row(summary) for summary in runs)
+
+
+main()
