@@ -3,20 +3,10 @@
 import json
 
 import numpy as np
-from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Broken, Nothing, figure, main
+from _phases import phases
+from _style import INK, Broken, Nothing, figure, main
 
-WORDS = {"convect": "convect: velocities", "wall": "wall: slip and sheet"}
-PURPLE, YELLOW = "#cc79a7", "#f0e442"  # the rest of Okabe & Ito
-# Of the phases that a method names; output is grey.
-COLOURS = (BLUE, ORANGE, GREEN, SKY, RED, PURPLE, YELLOW, INK)
 MOST_IN_A_LINE = 5  # words of the legend
-
-
-def phases(report):
-    """Those of the run's method, in the order of the report, with their words and colours."""
-    names = [name.removeprefix("seconds_") for name in report if name.startswith("seconds_")]
-    return [(name, WORDS.get(name, name), GREY if name == "output" else COLOURS[k % len(COLOURS)])
-            for k, name in enumerate(names)]
 
 
 def particles(report):
