@@ -207,6 +207,13 @@ def vortices_by_sph():
     hold_table("cases/README.md", "| degree | spacing", expected)
 
 
+def beside_another_code():
+    hold_table("cases/README.md", "| code and scheme",
+               [[None, [row["side"]], [row["steps"]], [row["seconds"]],
+                 [1e6 * float(row["seconds"]) / float(row["steps"]) / float(row["side"]) ** 2],
+                 [row["velocity_rms"]]] for row in read("cases/taylor_green_rivals.csv")])
+
+
 def three_ways_to_diffuse():
     rows = read("cases/diffusion.csv")
     ways = [rows[k:k + 3] for k in (0, 3, 6)]
@@ -310,6 +317,7 @@ long_runs()
 what_is_paid_for()
 cost_of_a_particle()
 vortices_by_sph()
+beside_another_code()
 three_ways_to_diffuse()
 found, asked = reached()
 cylinder_at_550(found, asked)
