@@ -4,7 +4,7 @@ find their neighbors."""
 import numpy as np
 from _phases import phases
 from _style import INK, Nothing, Run, figure, main
-from _sweep import folder_of, keys_of, number, read
+from _sweep import folder_of, keys_of, number, read, title
 
 SHOWN = ({"sph.spacing", "neighbors.method"}, {"sph.spacing"}, {"neighbors.method"})
 NAMES = {"qcg": "QCG", "linked-list": "linked\nlist"}
@@ -66,11 +66,6 @@ def words(run):
     if "body" not in run.scene:
         return f"{count}\nparticles"
     return f"$D/{2 * run.body[0] / run.scene['sph']['spacing']:.3g}$\n{count}\nparticles"
-
-
-def title(run):
-    """Of the scene, without what it says of its keys."""
-    return run.scene.get("title", "").partition(":")[0]
 
 
 main("sweep_cost.png", draw)
