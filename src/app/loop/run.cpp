@@ -52,6 +52,7 @@ class Run {
   double time(long step) const { return timetable_.time(step); }
   long step() const { return solver_->steps(); }
 
+  bool reach_end();
   void advance();
   void save();
   void save_fields();
@@ -176,6 +177,11 @@ void Run::save_fields() {
 }
 
 RunResult Run::go() {
+  return reach_end() ? finish() : RunResult{};
+}
+
+/// False if it was told to stop before.
+bool Run::reach_end() {
   const double start = time(step());
   StopRequest stop;
   ProgressLine progress;
@@ -195,11 +201,11 @@ RunResult Run::go() {
       save();
       say("stopped at step {}, t = {:g}; the same command with --resume goes on", step(),
           time(step()));
-      return {};
+      return false;
     }
   }
   progress.clear();
-  return finish();
+  return true;
 }
 
 RunResult Run::finish() {
