@@ -13,6 +13,8 @@ def draw(run):
     width = np.sqrt(initial["core"]**2 + 4 * nu * t)
     r, omega, swirl = profiles(field, np.array(initial["centre"]) + t * run.stream, run.stream)
 
+    if not r.size:
+        raise Nothing  # pictures of another place
     fig = figure(11.5, 4.8, run.scene.get("title"))
     grid = fig.subplots(2, 3, height_ratios=[2.2, 1], sharex="col")
     radii = np.linspace(0, r.max(), 400)

@@ -118,6 +118,8 @@ def window(fields, place):
             low.append((x[columns.min()], y[rows.min()]))
             high.append((x[columns.max()], y[rows.max()]))
     (left, bottom), (right, top) = np.min(low, axis=0), np.max(high, axis=0)
+    if not (right > left and top > bottom):
+        raise Nothing  # a line of places, or one
     return left, right, bottom, top
 
 

@@ -34,8 +34,10 @@ def draw(run):
         axes.set_xlabel("$x/R$")
     for axes in grid[:, 0]:
         axes.set_ylabel("$y/R$")
-    grid[0, 0].legend(loc="upper right", fontsize=8.5, frameon=True, framealpha=1, edgecolor="none",
-                      ncols=2, columnspacing=1.2, handlelength=1.6)
+    told = {word: handle for axes in grid.flat
+            for handle, word in zip(*axes.get_legend_handles_labels())}
+    grid[0, 0].legend(told.values(), told.keys(), loc="upper right", fontsize=8.5, frameon=True, framealpha=1,
+                      edgecolor="none", ncols=2, columnspacing=1.2, handlelength=1.6)
     return fig
 
 

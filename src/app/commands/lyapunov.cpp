@@ -32,6 +32,7 @@ namespace fs = std::filesystem;
 constexpr double most_tracers = 1e7;       // four paths each: some GB
 constexpr double close = 0.1;              // spacings from a place to the tracers beside it
 constexpr double doubtful_in_time = 0.01;  // of the velocity
+constexpr double shortest_window = 0.01;   // in times between pictures
 
 /// What a folder without pictures lacks.
 constexpr std::string_view wanted =
@@ -65,10 +66,25 @@ void meet(double& t, double picture) {
   if (std::abs(t - picture) <= 1e-9 * picture) t = picture;
 }
 
+/// Over a window that is no more than rounding, exponents are rounding.
+void require_lasting(const LyapunovJob& job, double between_pictures) {
+  for (std::size_t k = 0; k < job.from.size(); ++k)
+    if (std::abs(job.to[k] - job.from[k]) < shortest_window * between_pictures)
+      throw io::InputError(fmt::format(
+          "--from {} --to {}: pictures are {:.2g} apart; a window of {:.2g} is the "
+          "least that they tell of",
+          job.from[k], job.to[k], between_pictures, shortest_window * between_pictures));
+}
+
 /// The times of all pictures; there are enough, and each window lies within.
 std::vector<double> times_of(LyapunovJob& job) {
   const std::string file = (job.folder / "fields.h5").string();
   std::vector<double> times = io::field_times(job.folder);
+  if (times.empty() && fs::exists(file))
+    throw io::InputError(
+        fmt::format("{}: no picture can be read there; the file is damaged, and the "
+                    "same run with --overwrite makes it anew",
+                    file));
   if (times.empty())
     throw io::InputError(fmt::format("{}: no pictures there; {}", job.folder.string(), wanted));
   if (times.size() < flow::least_pictures)
@@ -84,6 +100,7 @@ std::vector<double> times_of(LyapunovJob& job) {
                                          file, times.front(), times.back(),
                                          list == &job.from ? "--from" : "--to", t));
     }
+  require_lasting(job, (times.back() - times.front()) / static_cast<double>(times.size() - 1));
   return times;
 }
 
@@ -143,6 +160,15 @@ void warn_of_few(const PicturesOfRun& of, const fs::path& folder) {
         folder.string(), 100 * *lost,
         (of.pictures.back().time - of.pictures.front().time) / 2 /
             static_cast<double>(of.pictures.size() - 1));
+}
+
+void warn_of_unknown(const std::vector<flow::LyapunovField>& fields) {
+  for (const flow::LyapunovField& field : fields)
+    if (std::ranges::all_of(field.exponent, [](double one) { return std::isnan(one); }))
+      say("warning: t = {} to {}: nothing is known, as every tracer has left the pictures or met "
+          "the "
+          "body; a shorter window, a larger output.window or a smaller --spacing knows more",
+          field.from, field.to);
 }
 
 flow::PictureGrid tracers_of(const LyapunovJob& job, const flow::PictureGrid& window) {
@@ -205,7 +231,9 @@ std::string lyapunov(const LyapunovJob& asked) {
                                     job.from[k], job.to[k]));
     lines += line(fields.back(), job.folder);
   }
+  io::remove_file(job.folder / "lyapunov.png");  // of other exponents
   io::write_lyapunov(job.folder, fields, about(info));
+  warn_of_unknown(fields);
   plot(job.folder, "lyapunov");
   return lines;
 }

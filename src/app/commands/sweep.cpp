@@ -151,6 +151,7 @@ int sweep(const RunOptions& options, const SweepPlan& plan) {
     refuse_older_figures(options.out, "sweep");
     for (const Member& m : members) refuse_older_run(options_of(options, plan, m).out);
   }
+  if (options.overwrite) remove_older_figures(options.out, "sweep");
   std::size_t done = 0;
   for (Member& m : members) {
     say("run {} of {}: {}", done + 1, members.size(), name_of(plan, m));

@@ -104,15 +104,19 @@ void refuse_older_figures(const fs::path& folder, std::string_view kind) {
   }
 }
 
+void remove_older_figures(const fs::path& folder, std::string_view kind) {
+  for (const fs::path& script : plot_scripts(kind)) {
+    const fs::path figure = (folder / script.stem()).concat(".png");
+    if (fs::is_regular_file(figure)) io::remove_file(figure);
+  }
+}
+
 void remove_older_tables_and_pictures(const fs::path& folder) {
   for (const char* name : tables) io::remove_file(folder / name);
   for (const char* name :
        {"fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5", "lyapunov.xdmf"})
     io::remove_file(folder / name);
-  for (const fs::path& script : plot_scripts()) {
-    const fs::path figure = (folder / script.stem()).concat(".png");
-    if (fs::is_regular_file(figure)) io::remove_file(figure);
-  }
+  remove_older_figures(folder);
 }
 
 bool lacks_outline(const fs::path& folder) {

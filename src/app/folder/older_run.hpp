@@ -22,6 +22,9 @@ void refuse_older_table(const std::filesystem::path& table);
 /// kind  of the scripts that will draw, as for plot()
 void refuse_older_figures(const std::filesystem::path& folder, std::string_view kind = {});
 
+/// Removes the figures that scripts of this kind have drawn there.
+void remove_older_figures(const std::filesystem::path& folder, std::string_view kind = {});
+
 /// Removes what an older run has left beside its frames and summary: tables, pictures and figures,
 /// which may be those of another flow, with which the new run has nothing in common.
 void remove_older_tables_and_pictures(const std::filesystem::path& folder);

@@ -155,6 +155,7 @@ TEST_CASE("a folder, or times, of which nothing can be told are refused in one l
                         {"r --from 0 --to 0.9", "--to 0.9 is outside"},
                         {"r --from 7 --to 0.1", "from t = 0 to 0.8; --from 7"},
                         {"r --from 0.1 --to 0.1", "no time between"},
+                        {"r --from 0 --to 1e-300", "is the least that they tell of"},
                         {"r --from 0.1 0.2 --to 0.3", "pairs"},
                         {"r --from 0.1 0.1 --to 0.3 0.4", "twice forward"},
                         {"r --from 0.1 --to 0.3 --spacing 1e-6", "tracers"},
@@ -170,6 +171,27 @@ TEST_CASE("a folder, or times, of which nothing can be told are refused in one l
     CHECK(outcome.err.find(about) != std::string::npos);
     CHECK_FALSE(fs::exists(folder / "r/lyapunov.h5"));
   }
+  folder.write("r/fields.h5", "");
+  const auto damaged = call("lyapunov r --from 0.1 --to 0.3", folder);
+  CHECK(damaged.code == 2);
+  CHECK(damaged.err.find("fields.h5: no picture can be read there; the file is damaged") !=
+        std::string::npos);
+}
+
+TEST_CASE("where nothing is known a warning says so, and no figure of other exponents stays") {
+  const TemporaryFolder folder;
+  folder.write("vortex.toml", vortex);
+  {
+    const NoFigures quick(folder);
+    REQUIRE(call("run vortex.toml --out r", folder).code == 0);
+  }
+  REQUIRE(call("lyapunov r --from 0 --to 0.4", folder).code == 0);
+  REQUIRE(fs::exists(folder / "r/lyapunov.png"));
+  const auto nothing = call("lyapunov r --from 0 --to 0.4 --spacing 1e9", folder);
+  CAPTURE(nothing.out, nothing.err);
+  CHECK(nothing.code == 0);
+  CHECK(nothing.err.find("nothing is known") != std::string::npos);
+  CHECK_FALSE(fs::exists(folder / "r/lyapunov.png"));
 }
 
 TEST_CASE("pictures too far apart in time are warned of") {
