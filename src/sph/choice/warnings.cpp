@@ -53,6 +53,17 @@ void doubt_motion(flow::Warnings& list, const SphSettings& own) {
         "sph.courant = {:.3g}: particles pass each other in one step; 0.3 holds", own.courant));
 }
 
+/// A step that is written instead of chosen by the Courant number.
+void doubt_step(flow::Warnings& list, const SphCase& scene, double speed) {
+  const double finest = finest_of(scene.sph), moved = scene.time.dt * speed / finest;
+  if (moved > 0.6 && moved > 1.5 * scene.sph.courant)
+    list.push_back(fmt::format(
+        "time.dt = {:.3g}: fluid moves {:.2g} of the finest spacings in a step; {} is what "
+        "sph.courant = {:.3g} asks for",
+        scene.time.dt, moved, rounded_down(scene.sph.courant * finest / speed, 2),
+        scene.sph.courant));
+}
+
 /// A particle as wide as that sees the body as one of its neighbors.
 void doubt_levels(flow::Warnings& list, const SphCase& scene) {
   const double length = body::length_of(*scene.body), coarsest = coarsest_of(scene.sph);
@@ -162,9 +173,10 @@ flow::Warnings warnings(const SphCase& scene) {
   flow::Warnings list;
   if (scene.body) doubt_spacing(list, scene), doubt_thickness(list, scene);
   doubt_motion(list, scene.sph);
+  const auto periodic = flow::periodic_flow_of(scene);
+  doubt_step(list, scene, periodic ? periodic->speed : flow::fastest_of(scene));
   if (scene.body) doubt_levels(list, scene), doubt_box(list, scene), doubt_sides(list, scene);
-  if (const auto flow = flow::periodic_flow_of(scene))
-    doubt_wavelength(list, scene, flow->wavelength);
+  if (periodic) doubt_wavelength(list, scene, periodic->wavelength);
   doubt_neighbors(list, scene);
   doubt_wishes(list, scene.sph);
   if (scene.initial && scene.body) doubt_initial(list, scene);

@@ -311,6 +311,18 @@ TEST_CASE("particles wider than half the body are warned of") {
   CHECK(with("zone", 0.3, 5) == usual + 1);  // 0.8
 }
 
+TEST_CASE("a step that is longer than the Courant number asks for is warned of") {
+  const auto told = [](double dt) {
+    SphScene scene;
+    scene.set("spacing", 0.05).choose();
+    scene.of.time.dt = dt;
+    return scene.method.warnings(scene.of).size();
+  };
+  const std::size_t usual = told(0.015);
+  CHECK(told(0.03) == usual);
+  CHECK(told(0.04) == usual + 1);
+}
+
 TEST_CASE("hardly ten particles in a wavelength are warned of, and neither degree there is") {
   const auto told = [](int particles, int degree) {
     SphScene scene = vortices(particles, degree).choose();
