@@ -18,7 +18,7 @@ LOOKS = {"backward": (BLUES[::-1] + ["#0d2f5c"], "attracting (backward)"),
 
 
 def draw(run):
-    fields = read(run)
+    fields, count = read(run)
     place = Place(run)
     box = window(fields, place)
     below = particles(run, fields)
@@ -26,7 +26,7 @@ def draw(run):
     rows = -(-len(fields) // columns)
     tall = (box[3] - box[2]) / (box[1] - box[0])
     width = 4.6 if columns == 2 else 8.0
-    fig = figure(11.0, 0.9 + (rows + bool(below)) * (0.36 + tall * width), run.scene.get("title"))
+    fig = figure(11.0, 0.9 + (rows + bool(below)) * (0.36 + tall * width), title(run, fields, count))
     grid = fig.subplots(rows + bool(below), columns, sharex=True, sharey=True, squeeze=False)
     upper = grid[:rows]
     for axes in upper.flat[len(fields):]:
@@ -96,9 +96,15 @@ def read(run):
     if not any(np.isfinite(f[way]).any() for f in found for way in LOOKS if way in f):
         raise Nothing
     found.sort(key=lambda field: field["time"])
-    if len(found) > MOST:
-        found = [found[i] for i in np.linspace(0, len(found) - 1, MOST).round().astype(int)]
-    return found
+    count = len(found)
+    if count > MOST:
+        found = [found[i] for i in np.linspace(0, count - 1, MOST).round().astype(int)]
+    return found, count
+
+
+def title(run, fields, count):
+    told = run.scene.get("title", "")
+    return told if len(fields) == count else f"{told}  ({len(fields)} of {count} times)".strip()
 
 
 def scale(fields, way):
