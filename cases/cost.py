@@ -8,14 +8,9 @@ A row a run: particles at most, threads, microseconds of the steps' time a parti
 of pressure and neighbors in it, bytes of memory a particle.
 """
 
-import csv
-import json
-import sys
-from pathlib import Path
+from _kept import summaries, write
 
-TABLE = Path(__file__).resolve().parent / "methods_cost.csv"
 NAMES = ("particles", "threads", "microseconds", "pressure", "neighbors", "bytes")
-NOTE = "# Written by cases/cost.py from what runs have left.\n"
 
 
 def row(summary):
@@ -27,15 +22,4 @@ def row(summary):
             f"{summary['peak_bytes'] / summary['largest_particle_count']:.0f}")
 
 
-def main():
-    runs = [json.loads((Path(run) / "summary.json").read_text()) for run in sys.argv[1:]]
-    if not runs:
-        sys.exit(__doc__)
-    with TABLE.open("w") as file:
-        file.write(NOTE)
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(NAMES)
-        table.writerows(row(summary) for summary in runs)
-
-
-main()
+write("methods_cost.csv", "cost.py", NAMES, map(row, summaries(__doc__)))

@@ -8,14 +8,9 @@ A row for each number of its summary.json: particles at most, steps, particle-st
 at most, seconds of the processor, and seconds by phase.
 """
 
-import csv
-import json
-import sys
-from pathlib import Path
+from _kept import summaries, write
 
-TABLE = Path(__file__).resolve().parent / "methods_phases.csv"
 NAMES = ("method", "what", "number")
-NOTE = "# Written by cases/phases.py from what a run by each method has left.\n"
 TOLD = ("steps", "particle_steps", "peak_bytes", "processor_seconds")
 
 
@@ -29,16 +24,5 @@ def rows_of(summary):
             yield f"seconds {phase}", seconds
 
 
-def main():
-    runs = [json.loads((Path(run) / "summary.json").read_text()) for run in sys.argv[1:]]
-    if not runs:
-        sys.exit(__doc__)
-    with TABLE.open("w") as file:
-        file.write(NOTE)
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(NAMES)
-        for summary in runs:
-            table.writerows((summary["method"], *row) for row in rows_of(summary))
-
-
-main()
+write("methods_phases.csv", "phases.py", NAMES,
+      ((summary["method"], *row) for summary in summaries(__doc__) for row in rows_of(summary)))

@@ -74,6 +74,18 @@ def by_method(run):
     return several
 
 
+def of_last_frame(run, pick):
+    """pick(group) of the last frame; what is missing there is damage."""
+    with run.hdf5("frames.h5") as file:
+        names = [name for name in file if name.startswith("frame_")]
+        if not names:
+            raise Nothing
+        try:
+            return pick(file[max(names)])
+        except (KeyError, OSError, StopIteration):
+            raise Broken(f"{run.folder / 'frames.h5'}: a frame is damaged") from None
+
+
 def title(run):
     """Of the scene, without what it says of its keys."""
     return run.scene.get("title", "").partition(":")[0]

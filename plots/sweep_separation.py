@@ -5,8 +5,8 @@ from pathlib import Path
 
 import numpy as np
 from _outline import is_circle
-from _style import BLUE, INK, ORANGE, Broken, Nothing, Run, figure, main, read_csv
-from _sweep import folder_of, keys_of, number, read
+from _style import BLUE, INK, ORANGE, Nothing, Run, figure, main, read_csv
+from _sweep import folder_of, keys_of, number, of_last_frame, read
 from matplotlib.patches import Circle, Wedge
 
 MOST = 4  # panels
@@ -104,16 +104,8 @@ def wake(axes, run):
 
 def last_frame(run):
     radius, centre = run.body
-    with run.hdf5("frames.h5") as file:
-        names = [name for name in file if name.startswith("frame_")]
-        if not names:
-            raise Nothing
-        frame = file[max(names)]
-        try:
-            fluid = frame["kind"][()] <= 1
-            x, y, u, v = (frame[name][()][fluid] for name in ("x", "y", "u", "v"))
-        except (KeyError, OSError):
-            raise Broken(f"{run.folder / 'frames.h5'}: a frame is damaged") from None
+    x, y, u, v = of_last_frame(run, lambda frame: [frame[name][()][frame["kind"][()] <= 1]
+                                                   for name in ("x", "y", "u", "v")])
     return (x - centre[0]) / radius, (y - centre[1]) / radius, u / run.speed, v / run.speed
 
 

@@ -3,8 +3,8 @@
 import numpy as np
 from _colours import COLOURS
 from _outline import is_circle, outline
-from _style import Broken, Nothing, figure, main
-from _sweep import WORDS, by_method, title
+from _style import figure, main
+from _sweep import WORDS, by_method, of_last_frame, title
 from _vorticity import in_units, scale, vorticity
 
 MOST = 3  # flows
@@ -87,16 +87,8 @@ def particles(axes, words, runs, method, box, most):
 def last_frame(run):
     """Places and sizes of the particles, in the body's units."""
     radius, centre = run.body
-    with run.hdf5("frames.h5") as file:
-        names = [name for name in file if name.startswith("frame_")]
-        if not names:
-            raise Nothing
-        frame = file[max(names)]
-        try:
-            x, y, width = (frame[name][()] for name in
-                           ("x", "y", next(size for size in SIZES if size in frame)))
-        except (KeyError, OSError, StopIteration):
-            raise Broken(f"{run.folder / 'frames.h5'}: a frame is damaged") from None
+    x, y, width = of_last_frame(run, lambda frame: [frame[name][()] for name in (
+        "x", "y", next(size for size in SIZES if size in frame))])
     return (x - centre[0]) / radius, (y - centre[1]) / radius, width / radius
 
 
