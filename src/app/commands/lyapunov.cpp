@@ -71,8 +71,8 @@ void require_lasting(const LyapunovJob& job, double between_pictures) {
   for (std::size_t k = 0; k < job.from.size(); ++k)
     if (std::abs(job.to[k] - job.from[k]) < shortest_window * between_pictures)
       throw io::InputError(fmt::format(
-          "--from {} --to {}: pictures are {:.2g} apart; a window of {:.2g} is the "
-          "least that they tell of",
+          "--from {} --to {}: pictures are {:.2g} apart; a window of {:.2g} is the least that they "
+          "tell of",
           job.from[k], job.to[k], between_pictures, shortest_window * between_pictures));
 }
 
@@ -82,8 +82,8 @@ std::vector<double> times_of(LyapunovJob& job) {
   std::vector<double> times = io::field_times(job.folder);
   if (times.empty() && fs::exists(file))
     throw io::InputError(
-        fmt::format("{}: no picture can be read there; the file is damaged, and the "
-                    "same run with --overwrite makes it anew",
+        fmt::format("{}: no picture can be read there; the file is damaged, and the same run with "
+                    "--overwrite makes it anew",
                     file));
   if (times.empty())
     throw io::InputError(fmt::format("{}: no pictures there; {}", job.folder.string(), wanted));
@@ -166,8 +166,7 @@ void warn_of_unknown(const std::vector<flow::LyapunovField>& fields) {
   for (const flow::LyapunovField& field : fields)
     if (std::ranges::all_of(field.exponent, [](double one) { return std::isnan(one); }))
       say("warning: t = {} to {}: nothing is known, as every tracer has left the pictures or met "
-          "the "
-          "body; a shorter window, a larger output.window or a smaller --spacing knows more",
+          "the body; a shorter window, a larger output.window or a smaller --spacing knows more",
           field.from, field.to);
 }
 
@@ -176,9 +175,8 @@ flow::PictureGrid tracers_of(const LyapunovJob& job, const flow::PictureGrid& wi
                tracers = in_one * in_one * static_cast<double>(window.points());
   if (tracers > most_tracers)
     throw io::InputError(
-        fmt::format("--spacing {}: that makes {:.2g} tracers, {:.0e} at most are "
-                    "followed",
-                    spacing, tracers, most_tracers));
+        fmt::format("--spacing {}: that makes {:.2g} tracers, {:.0e} at most are followed", spacing,
+                    tracers, most_tracers));
   return flow::tracers_within(window, spacing);
 }
 

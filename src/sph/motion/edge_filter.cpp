@@ -1,11 +1,9 @@
 #include "sph/motion/edge_filter.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "sph/operators/tuning.hpp"
 #include "sph/pairs/kernel_shapes.hpp"
 
 namespace vortree::sph {
@@ -15,11 +13,6 @@ using Carried = std::array<double, carried_count>;
 
 double distance(Vec2 d) {
   return std::sqrt(dot(d, d));
-}
-
-/// Within which fits beside a boundary have their neighbors [spacings].
-double fitted_reach(const OperatorOptions& options) {
-  return options.degree > 2 ? std::min(options.reach, boundary_reach) : options.reach;
 }
 
 /// The series that is taken off. Pair sums hand half their Laplacian to each second derivative,

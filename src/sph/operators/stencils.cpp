@@ -122,6 +122,10 @@ void sum_pairs(const FitGroup& group, Lanes spacing, LaneSet lanes) {
 
 }  // namespace
 
+double fitted_reach(const OperatorOptions& options) {
+  return options.degree > 2 ? std::min(options.reach, boundary_reach) : options.reach;
+}
+
 void Stencils::renew(const Cloud& cloud, const OperatorOptions& options) {
   find_neighbors(cloud, options);
   fit(cloud, options);
@@ -217,7 +221,7 @@ void Stencils::fit_group(const Cloud& cloud, const OperatorOptions& options, std
       });
     if (inside) high |= 1u << lane;
   }
-  const double cut = options.degree > 2 ? std::min(1.0, boundary_reach / options.reach) : 1.0;
+  const double cut = fitted_reach(options) / options.reach;
   if (sums) return sum_pairs(group, spacing, all);
   LaneSet low = all & ~high;
   if (high) low |= fit_lanes<4>(group, 1, high);

@@ -56,6 +56,9 @@ struct OperatorOptions {
   NeighborSettings neighbors{};
 };
 
+/// Within which fits beside a boundary have their neighbors [spacings].
+[[nodiscard]] double fitted_reach(const OperatorOptions& options);
+
 /// Neighbors of all particles, and the weights by which derivatives follow from them:
 ///
 ///   (d_e f)_i = sum_j w_e,ij (f_j - f_i),      e = x, y, xx, xy, yy

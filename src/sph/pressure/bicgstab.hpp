@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/ordered_sum.hpp"
+#include "sph/pressure/sliced_kernel.hpp"
 #include "sph/pressure/sparse_rows.hpp"
 
 namespace vortree::sph {
@@ -51,7 +52,6 @@ class Bicgstab {
   using Column = std::vector<Number>;
   using Factors = std::array<Number, sides>;
   static constexpr int rounds = 5;
-  static constexpr std::size_t worth_sharing = 8192;  // rows
 
   static Factors factors(const Sides& of) {
     Factors made;
@@ -107,7 +107,7 @@ class Bicgstab {
   }
 
   void for_all(auto formula) const {
-#pragma omp parallel for schedule(static) if (n_ > worth_sharing)
+#pragma omp parallel for schedule(static) if (n_ > kernel::rows_worth_sharing)
     for (std::size_t i = 0; i < n_; ++i)
       for (std::size_t k = 0; k < sides; ++k) formula(i * sides + k, k);
   }

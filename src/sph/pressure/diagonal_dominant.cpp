@@ -1,10 +1,8 @@
 #include "sph/pressure/diagonal_dominant.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include "base/ordered_sum.hpp"
 #include "sph/pressure/bicgstab.hpp"
 #include "sph/pressure/sliced_kernel.hpp"
 
@@ -14,7 +12,6 @@ namespace {
 using kernel::SlicedPairs;
 using BothSides = std::array<double, 2>;
 
-constexpr std::size_t worth_sharing = 8192;  // rows
 /// What floats find out of a residual, in what it was at first.
 constexpr double floats = 1e-6;
 
@@ -29,7 +26,7 @@ SlicedPairs for_both(std::span<const double> of, std::size_t padded) {
 /// 1 / diagonal: value_i - factor_i a_ii.
 SlicedPairs inverse_diagonals(const DiagonalDominant& of) {
   SlicedPairs made(2 * of.a.padded());
-#pragma omp parallel for schedule(static) if (of.a.rows > worth_sharing)
+#pragma omp parallel for schedule(static) if (of.a.rows > kernel::rows_worth_sharing)
   for (std::size_t i = 0; i < of.a.rows; ++i) {
     const std::size_t slice = i / SlicedRows::lanes;
     const double own = of.a.value[of.a.begin[slice] * SlicedRows::lanes + i % SlicedRows::lanes];
@@ -49,15 +46,6 @@ void find_residual(const DiagonalDominant& of, std::span<const double> b, std::s
   });
 }
 
-double norm(std::span<const double> a) {
-  return std::sqrt(ordered_sum(a.size(), [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-#pragma omp simd reduction(+ : sum)
-    for (std::size_t i = first; i < last; ++i) sum += a[i] * a[i];
-    return sum;
-  }));
-}
-
 /// Corrections in floats of what is left.
 class Corrections {
  public:
@@ -73,19 +61,19 @@ class Corrections {
   std::array<Solved, 2> add(const std::array<std::vector<double>, 2>& left, double reduction,
                             int most, std::array<std::span<double>, 2> x) {
     const std::size_t n = of_.a.rows;
-#pragma omp parallel for schedule(static) if (n > worth_sharing)
+#pragma omp parallel for schedule(static) if (n > kernel::rows_worth_sharing)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t s = 0; s < 2; ++s)
         right_[2 * i + s] = static_cast<float>(left[s][i]), found_[2 * i + s] = 0;
     const auto multiply = [&](std::span<const float> in, std::span<float> out) { apply(in, out); };
     const auto precondition = [&](std::span<const float> in, std::span<float> out) {
-#pragma omp parallel for simd schedule(static) if (n > worth_sharing)
+#pragma omp parallel for simd schedule(static) if (n > kernel::rows_worth_sharing)
       for (std::size_t i = 0; i < 2 * n; ++i) out[i] = in[i] * inverse_[i];
     };
     Bicgstab<2, float, decltype(multiply), decltype(precondition)> method(of_.a.padded(), multiply,
                                                                           precondition);
     const auto told = method.solve(right_, found_, reduction, most);
-#pragma omp parallel for schedule(static) if (n > worth_sharing)
+#pragma omp parallel for schedule(static) if (n > kernel::rows_worth_sharing)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t s = 0; s < 2; ++s) x[s][i] += found_[2 * i + s];
     return told;

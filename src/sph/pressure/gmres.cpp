@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sph/pressure/sparse_rows.hpp"
+
 namespace vortree::sph {
 namespace {
 
@@ -55,20 +57,9 @@ double norm(const SlicedColumn& a) {
   return std::sqrt(dots({&a, 1}, a)[0]);
 }
 
-double norm(std::span<const double> a) {
-  std::vector<double> all(parts);
-  double sum = 0;
-#pragma omp parallel for schedule(static) if (a.size() > kernel::slices_worth_sharing * 16)
-  for (std::size_t part = 0; part < parts; ++part)
-    for (std::size_t i = a.size() * part / parts; i < a.size() * (part + 1) / parts; ++i)
-      all[part] += a[i] * a[i];
-  for (const double one : all) sum += one;
-  return std::sqrt(sum);
-}
-
 void put_scaled(std::span<const double> a, double factor, SlicedColumn& made) {
   made.resize(padded(a.size(), SlicedRows::lanes));
-#pragma omp parallel for simd schedule(static) if (a.size() > kernel::slices_worth_sharing * 16)
+#pragma omp parallel for simd schedule(static) if (a.size() > kernel::rows_worth_sharing)
   for (std::size_t i = 0; i < a.size(); ++i) made[i] = static_cast<float>(factor * a[i]);
   for (std::size_t i = a.size(); i < made.size(); ++i) made[i] = 0;
 }
@@ -161,7 +152,7 @@ void Gmres::add_to(std::span<double> x) const {
   for (std::size_t k = 0; k < y.size(); ++k) along -= y[k] * along_image_[k];
   const double constant = along * scale_ * reciprocal(image_norm_);
   for (double& one : y) one *= scale_;
-#pragma omp parallel for schedule(static) if (x.size() > kernel::slices_worth_sharing * 16)
+#pragma omp parallel for schedule(static) if (x.size() > kernel::rows_worth_sharing)
   for (std::size_t i = 0; i < x.size(); ++i) {
     double sum = constant;
     for (std::size_t k = 0; k < y.size(); ++k) sum += y[k] * cycles_[k][i];

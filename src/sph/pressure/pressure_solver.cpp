@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/ordered_sum.hpp"
 #include "sph/pressure/bicgstab.hpp"
 #include "sph/pressure/gmres.hpp"
 #include "sph/pressure/incomplete_lu.hpp"
@@ -18,20 +17,10 @@ namespace {
 
 using PressureColumn = std::vector<double>;
 
-constexpr std::size_t worth_sharing = 8192;  // rows
-
-double norm(std::span<const double> a) {
-  return std::sqrt(ordered_sum(a.size(), [&](std::size_t first, std::size_t last) {
-    double sum = 0;
-    for (std::size_t i = first; i < last; ++i) sum += a[i] * a[i];
-    return sum;
-  }));
-}
-
 /// A 1.
 PressureColumn sums_of_rows(const SlicedDoubles& a) {
   PressureColumn sums(a.padded());
-#pragma omp parallel for schedule(static) if (a.rows > worth_sharing)
+#pragma omp parallel for schedule(static) if (a.slices() > kernel::slices_worth_sharing)
   for (std::size_t slice = 0; slice < a.slices(); ++slice)
     for (std::size_t k = a.begin[slice] * SlicedDoubles::lanes;
          k < a.begin[slice + 1] * SlicedDoubles::lanes; k += SlicedDoubles::lanes)

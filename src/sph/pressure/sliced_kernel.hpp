@@ -17,7 +17,8 @@ using SlicedColumn = std::vector<float>;
 using SlicedPairs = std::vector<float>;
 
 /// Slices beyond which threads share: fewer are done before the others wake.
-inline constexpr std::size_t slices_worth_sharing = 512;
+inline constexpr std::size_t slices_worth_sharing = 512,
+                             rows_worth_sharing = slices_worth_sharing * SlicedRows::lanes;
 
 /// x at the places of a register.
 inline Singles gather(const float* x, SingleBits places) {

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "sph/pressure/sliced_kernel.hpp"
+
 namespace vortree::sph {
 namespace {
-
-constexpr std::size_t worth_sharing = 512;  // slices
 
 // Is there anything to refuse? Sums of products with zero tell without a branch.
 bool slice_is_sound(const SlicedDoubles& a, std::size_t slice) {
@@ -33,7 +33,9 @@ bool slice_is_sound(const SlicedDoubles& a, std::size_t slice) {
 
 void check(const SlicedDoubles& a) {
   std::size_t sound = a.slices();  // slices before the first that is not
-#pragma omp parallel for schedule(static) reduction(min : sound) if (a.slices() > worth_sharing)
+#pragma omp parallel for schedule(static) \
+    reduction(min                         \
+              : sound) if (a.slices() > kernel::slices_worth_sharing)
   for (std::size_t slice = 0; slice < a.slices(); ++slice)
     if (!slice_is_sound(a, slice)) sound = std::min(sound, slice);
   if (sound == a.slices()) return;

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/ordered_sum.hpp"
+
 namespace vortree::sph {
 namespace {
 
@@ -45,6 +47,14 @@ void multiply(const SparseRows& a, std::span<const double> x, std::span<double> 
       sum += a.value[k] * x[static_cast<std::size_t>(a.index[k])];
     y[i] = sum;
   }
+}
+
+double norm(std::span<const double> a) {
+  return std::sqrt(ordered_sum(a.size(), [&](std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += a[i] * a[i];
+    return sum;
+  }));
 }
 
 void check_vectors(std::size_t n, std::span<const double> b, std::span<const double> x) {

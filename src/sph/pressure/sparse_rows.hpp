@@ -37,6 +37,9 @@ struct Solved {
 /// y = A x.
 void multiply(const SparseRows& a, std::span<const double> x, std::span<double> y);
 
+/// The root of the sum of squares.
+[[nodiscard]] double norm(std::span<const double> a);
+
 /// throws  std::invalid_argument with the numbers if b or x are not n, or naming the first that is
 ///         not finite
 void check_vectors(std::size_t n, std::span<const double> b, std::span<const double> x);
