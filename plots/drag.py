@@ -3,9 +3,6 @@
 import numpy as np
 from _style import BLUE, INK, ORANGE, Nothing, figure, interpolated, main, rms
 
-IMPULSE, WALL = ("cd_impulse", "by impulse"), ("cd_wall", "at the wall")
-MEAN = 0.5  # of T, over which the impulse of SPH particles is told: births and mergers are noise
-
 
 def draw(run):
     run.body
@@ -18,7 +15,7 @@ def draw(run):
     fig = figure(7.2, 5.6 if reference else 4.0, run.scene.get("title"))
     top, bottom = (fig.subplots(2, 1, sharex=True, height_ratios=[2.2, 1]) if reference
                    else (fig.subplots(), None))
-    drag = routes(run, report, shown)
+    drag = {name: report[f"cd_{route}"][shown] for route, name in run.routes}
     for (name, values), (colour, width) in zip(drag.items(), ((BLUE, 1.8), (ORANGE, 1.0))):
         top.plot(T, values, color=colour, lw=width, label=name)
     top.set_ylabel("drag coefficient  $C_D = 2F_x\\,/\\,(\\rho U^2 D)$")
@@ -28,19 +25,6 @@ def draw(run):
         compare(top, bottom, reference, T, drag)
     top.legend(loc="best")
     return fig
-
-
-def routes(run, report, shown):
-    """The main one first, by its name in the figure."""
-    if run.route == "impulse":
-        return {name: report[column][shown] for column, name in (IMPULSE, WALL)}
-    T, raw = report["T"], report[IMPULSE[0]]
-    whole = np.concatenate([[0], np.cumsum(raw * np.gradient(T))])
-    first, last = (np.searchsorted(T, T + by, side) for by, side in ((-MEAN / 2, "left"),
-                                                                     (MEAN / 2, "right")))
-    span = np.concatenate([[0], np.cumsum(np.gradient(T))])
-    mean = (whole[last] - whole[first]) / (span[last] - span[first])
-    return {WALL[1]: report[WALL[0]][shown], f"by impulse, means over $T = {MEAN}$": mean[shown]}
 
 
 def compare(top, bottom, reference, T, drag):

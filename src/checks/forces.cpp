@@ -11,9 +11,6 @@
 namespace vortree::checks {
 namespace {
 
-/// Where the impulse is noisy, routes are compared by means over so much of T.
-constexpr double noise_span = 0.5;
-
 /// A column of a reference between its entries; none outside them, and where cells are empty.
 class ReferenceCurve {
  public:
@@ -54,19 +51,6 @@ Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const 
 
 std::string drag_of(const Finished& run) {
   return "cd_" + run.solver.route();
-}
-
-/// Means over rows at most half a span of T away: noise of particles that come and go.
-Series means(const Series& T, const Series& of, double span) {
-  Series mean(of.size());
-  std::size_t first = 0, last = 0;  // of the rows nearby
-  double sum = 0;
-  for (std::size_t r = 0; r < of.size(); ++r) {
-    for (; last < of.size() && T[last] <= T[r] + span / 2; ++last) sum += of[last];
-    for (; T[first] < T[r] - span / 2; ++first) sum -= of[first];
-    mean[r] = sum / static_cast<double>(last - first);
-  }
-  return mean;
 }
 
 /// Means, as the drag of a step jumps where blobs of one release all split.
@@ -120,12 +104,8 @@ void check_forces(std::vector<Verdict>& list, const Finished& run) {
   const io::Scene& scene = run.scene;
   const HistoryRows& rows = run.rows;
   const io::CheckSettings& c = scene.check;
-  const bool by_both = run.solver.route() == "impulse";
-  const auto told = [&](const char* column) {
-    return by_both ? rows.column(column) : means(rows.T(), rows.column(column), noise_span);
-  };
-  const Series impulse = told("cd_impulse"), wall = told("cd_wall"), lift = told("cl_impulse"),
-               wall_lift = told("cl_wall");
+  const Series impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
+               lift = rows.column("cl_impulse"), wall_lift = rows.column("cl_wall");
   add(list, "routes_max", c.routes_max, [&] {
     if (scene.plunge) return routes_apart(rows, c.routes_from, impulse, wall);
     return rows.largest(c.routes_from,
@@ -134,10 +114,7 @@ void check_forces(std::vector<Verdict>& list, const Finished& run) {
   add(list, "lift_routes_max", c.lift_routes_max,
       [&] { return routes_apart(rows, c.routes_from, lift, wall_lift); });
   add(list, "lift_max", c.lift_max, [&] {
-    const Series by_impulse = rows.column("cl_impulse"), by_wall = rows.column("cl_wall");
-    return rows.largest({}, [&](std::size_t r) {
-      return by_both ? largest_of({by_impulse[r], by_wall[r]}) : by_wall[r];
-    });
+    return rows.largest({}, [&](std::size_t r) { return largest_of({lift[r], wall_lift[r]}); });
   });
 }
 

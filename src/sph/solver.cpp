@@ -38,11 +38,13 @@ SphSolver::SphSolver(SphSetup setup)
 void SphSolver::start() {
   cloud_ = starting_cloud(setup_);
   for (const std::uint32_t i : in_order(cloud_, ParticleKind::wall)) wall_.push_back(cloud_.at(i));
+  if (setup_.shape) by_vorticity_ = {*setup_.shape, wall_};
   stencils_.renew(cloud_, setup_.operators);
   setup_.periodic ? start_periodic_flow() : start_past_body();
   look();
-  force_ = {
-      .t = 0, .impulse = impulse(), .frame = setup_.area * setup_.ambient.plunge.acceleration(0)};
+  force_ = {.t = 0,
+            .impulse = far_field_.impulse(),
+            .frame = setup_.area * setup_.ambient.plunge.acceleration(0)};
   measure();
 }
 
@@ -75,7 +77,7 @@ void SphSolver::look() {
 }
 
 void SphSolver::look_at_wall() {
-  far_field_.renew(cloud_, slopes_, setup_.ambient.steady);
+  far_field_.renew(cloud_, slopes_, setup_.ambient.steady, setup_.ambient.stream(time_));
   wall_vorticity_.resize(wall_.size()), wall_pressure_.resize(wall_.size());
   for (std::size_t i = 0; i < cloud_.size(); ++i)
     if (cloud_.kind[i] == ParticleKind::wall) {
@@ -92,14 +94,15 @@ void SphSolver::step(const tree::Phase& phase) {
   const double end = static_cast<double>(steps_ + 1) * setup_.dt;
   const double begin = time_;
   const Checkpoint before_step = checkpoint();
-  Vec2 given{};
-  Traction before = traction();
+  Traction before = traction(), given{};
   try {
     while (end - time_ > 1e-9 * setup_.dt) {
       const double dt = next_dt(end - time_);
       substep(dt, phase);
       const Traction now = traction();
-      given += dt / 2 * (before.pressure + now.pressure);
+      // There is none of an impulsive start.
+      if (substeps_ == 1) before = now;
+      given += dt / 2 * (before + now);
       before = now;
     }
   } catch (const std::bad_alloc&) {
@@ -112,9 +115,13 @@ void SphSolver::step(const tree::Phase& phase) {
   time_ = end;
   ++steps_;
   phase("output");
+  const double took = end - begin;
+  const double memory = memory_of_pressure(end, setup_.scales.length / setup_.scales.speed,
+                                           setup_.ambient.plunge.frequency);
   force_ = {.t = end,
-            .impulse = impulse(),
-            .pressure = 1 / (end - begin) * given,
+            .impulse = force_.impulse - given.by_vorticity - given.friction,
+            .pressure = smooth_pressure_(1 / took * given.pressure, 1 / took * given.by_vorticity,
+                                         took, memory),
             .friction = before.friction,
             .frame = setup_.area * setup_.ambient.plunge.acceleration(end)};
   measure();
@@ -210,11 +217,10 @@ SphSolver::Traction SphSolver::traction() const {
     sum.friction +=
         ds * setup_.ambient.nu * Vec2{2 * u.x * n.x + shear * n.y, shear * n.x + 2 * v.y * n.y};
   }
+  if (!wall_vorticity_.empty())
+    sum.by_vorticity = by_vorticity_(far_field_, wall_vorticity_, setup_.ambient.nu,
+                                     setup_.ambient.plunge.acceleration(time_));
   return sum;
-}
-
-Vec2 SphSolver::impulse() const {
-  return far_field_.impulse();
 }
 
 }  // namespace vortree::sph

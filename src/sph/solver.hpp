@@ -4,6 +4,8 @@
 
 #include "flow/solver.hpp"
 #include "sph/boundary/biot_savart.hpp"
+#include "sph/boundary/smooth_pressure.hpp"
+#include "sph/boundary/vorticity_force.hpp"
 #include "sph/cloud/cloud.hpp"
 #include "sph/motion/momentum.hpp"
 #include "sph/operators/derivatives.hpp"
@@ -15,8 +17,10 @@ namespace vortree::sph {
 /// A flow by incompressible SPH of variable resolution: past a body, from the potential flow of the
 /// stream around it on, or in a periodic box, from an initial flow on that fills the plane.
 ///
-/// Forces are those at the wall. By impulse they agree in the mean, but births, splits and mergers
-/// change the impulse by some 1e-3 a step, of which differences in time make a tenth of the drag.
+/// Forces are those at the wall, of the pressure without its noise (boundary/smooth_pressure.hpp).
+/// By impulse its rate of change comes from velocities and vorticity of one time
+/// (boundary/vorticity_force.hpp): births, splits and mergers change the impulse itself by some
+/// 1e-3 a step, of which differences in time would make a tenth of the drag.
 ///
 /// A step of dt is made of as many as the Courant number asks for, and the first beside a body of
 /// short ones, a tenth of dt and 1.2 times as long from one to the next, the last of them up to
@@ -61,8 +65,17 @@ class SphSolver final : public flow::Solver {
   const Cloud& cloud() const { return cloud_; }  ///< as seen from the body's centre
 
  private:
+  /// On the body; the pressure's by two routes.
   struct Traction {
-    Vec2 pressure, friction;
+    Vec2 pressure{}, friction{}, by_vorticity{};
+
+    friend Traction operator+(const Traction& a, const Traction& b) {
+      return {a.pressure + b.pressure, a.friction + b.friction, a.by_vorticity + b.by_vorticity};
+    }
+    friend Traction operator*(double s, const Traction& a) {
+      return {s * a.pressure, s * a.friction, s * a.by_vorticity};
+    }
+    Traction& operator+=(const Traction& a) { return *this = *this + a; }
   };
 
   /// What a step changes before its end.
@@ -89,7 +102,6 @@ class SphSolver final : public flow::Solver {
   void measure_past_body();
   void measure_periodic();
   Traction traction() const;
-  Vec2 impulse() const;
   double bubble_length() const;
 
   SphSetup setup_;
@@ -97,6 +109,8 @@ class SphSolver final : public flow::Solver {
   Stencils stencils_;
   std::vector<Slopes> slopes_;
   BiotSavart far_field_;
+  VorticityForce by_vorticity_;
+  SmoothPressure smooth_pressure_;
   Momentum momentum_;
   std::vector<Vec2> wall_;  // its nodes
   std::vector<double> wall_vorticity_, wall_pressure_;

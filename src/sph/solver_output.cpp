@@ -57,7 +57,7 @@ void SphSolver::measure_past_body() {
     if (cloud_.inside(i)) least = std::min(least, stencils_.length(i));
   }
   volume += box.x * box.y;
-  const Vec2 moment = force_.impulse;
+  const Vec2 moment = far_field_.impulse();
   const Ambient& ambient = setup_.ambient;
   const bool wake = dot(ambient.steady, ambient.steady) > 0 && ambient.plunge.frequency == 0 &&
                     ambient.spin.rate == 0 && steps_ > 0;

@@ -26,6 +26,10 @@ void SphSolver::save(flow::State& state) const {
   state["substeps"] = {static_cast<double>(substeps_)};
   state["largest_drift"] = {drift_};
   state["pressure_iterations"] = {static_cast<double>(iterations_.pressure)};
+  state["impulse_given"] = {force_.impulse.x, force_.impulse.y};
+  state["pressure_apart"] = {smooth_pressure_.mean.x, smooth_pressure_.mean.y};
+  state["mean_pressure_apart"] = {smooth_pressure_.mean_of_means.x,
+                                  smooth_pressure_.mean_of_means.y};
   state["mean_pressure_force"] = {force_.pressure.x, force_.pressure.y};
   state["friction"] = {force_.friction.x, force_.friction.y};
 }
@@ -57,10 +61,12 @@ void SphSolver::restore(long steps, const flow::Columns& columns, const flow::St
   substeps_ = static_cast<long>(flow::saved_number(state, "substeps"));
   drift_ = flow::saved_number(state, "largest_drift");
   iterations_.pressure = static_cast<int>(flow::saved_number(state, "pressure_iterations"));
+  smooth_pressure_.mean = saved_pair("pressure_apart");
+  smooth_pressure_.mean_of_means = saved_pair("mean_pressure_apart");
   stencils_.renew(cloud_, setup_.operators);
   look();
   force_ = {.t = time(),
-            .impulse = impulse(),
+            .impulse = saved_pair("impulse_given"),
             .pressure = saved_pair("mean_pressure_force"),
             .friction = saved_pair("friction"),
             .frame = setup_.area * setup_.ambient.plunge.acceleration(time())};

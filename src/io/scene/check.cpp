@@ -243,10 +243,10 @@ std::vector<Key> against_references(CheckSettings& c) {
 std::vector<Key> of_forces(CheckSettings& c) {
   return {
       most("lift_max", c.lift_max,
-           "largest lift coefficient, as it is; by either route, of SPH at the wall"),
+           "largest lift coefficient, as it is, by either route"),
       most("routes_max", c.routes_max,
            "drag by impulse against drag by the wall: largest deviation, relative; of a body "
-           "that plunges, to the largest drag; of SPH, of means over T = 0.5"),
+           "that plunges, to the largest drag"),
       from("routes_from", c.routes_from, "the routes count from this T on, 0 if not written"),
       most("lift_routes_max", c.lift_routes_max, "the same of lift, relative to the largest lift")};
 }

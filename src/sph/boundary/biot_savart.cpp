@@ -21,38 +21,41 @@ bool beside_box(const OuterBox& box, Vec2 at, double margin, Vec2 stream) {
 
 }  // namespace
 
-void BiotSavart::add(Vec2 at, double gamma, double spacing) {
-  x_.push_back(at.x), y_.push_back(at.y), gamma_.push_back(gamma);
-  sigma_.push_back(core * spacing);
+void BiotSavart::add(Vec2 at, Vec2 velocity, double gamma, double spacing) {
+  all_.x.push_back(at.x), all_.y.push_back(at.y), all_.gamma.push_back(gamma);
+  all_.sigma.push_back(core * spacing);
+  all_.u.push_back(velocity.x), all_.v.push_back(velocity.y);
 }
 
-void BiotSavart::renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream) {
-  x_.clear(), y_.clear(), gamma_.clear(), sigma_.clear();
-  if (spin_ != 0) add({}, spin_, 0);
+void BiotSavart::renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 steady,
+                       Vec2 stream) {
+  for (std::vector<double>* column : {&all_.x, &all_.y, &all_.gamma, &all_.sigma, &all_.u, &all_.v})
+    column->clear();
+  if (spin_ != 0) add({}, {}, spin_, 0);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.kind[i] >= ParticleKind::outer || beside_box(box_, cloud.at(i), margin_, stream))
+    if (cloud.kind[i] >= ParticleKind::outer || beside_box(box_, cloud.at(i), margin_, steady))
       continue;
     const double gamma = cloud.volume(i) * vorticity(slopes[i]);
     const double own = cloud.kind[i] == ParticleKind::wall ? gamma / 2 : gamma;
-    if (std::abs(own) > faintest_) add(cloud.at(i), own, cloud.spacing[i]);
+    if (std::abs(own) > faintest_) add(cloud.at(i), cloud.velocity(i), own, cloud.spacing[i]);
   }
   const std::vector<std::uint32_t> outlet = in_order(cloud, ParticleKind::outlet);
   const double spacing = outlet.empty() ? 0 : cloud.spacing[outlet.front()];
   for (std::size_t k = 0; k < left_x.size(); ++k)
-    add({left_x[k], left_y[k]}, left_gamma[k], spacing);
+    add({left_x[k], left_y[k]}, stream, left_gamma[k], spacing);
   for (std::size_t k = 0; k < leaving.size(); ++k)
-    add(cloud.at(outlet[k]) + 0.5 * travelled, leaving[k], spacing);
+    add(cloud.at(outlet[k]) + 0.5 * travelled, stream, leaving[k], spacing);
 }
 
 void BiotSavart::add_sheet(const Cloud& cloud, double rate) {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] != ParticleKind::wall) continue;
     const Vec2 n = cloud.normal(i), slip = cloud.velocity(i) - rate * Vec2{-cloud.y[i], cloud.x[i]};
-    add(cloud.at(i), dot(slip, {-n.y, n.x}) * cloud.spacing[i], cloud.spacing[i]);
+    add(cloud.at(i), {}, dot(slip, {-n.y, n.x}) * cloud.spacing[i], cloud.spacing[i]);
   }
 }
 
-void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream,
+void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 steady,
                            Vec2 drift, double dt) {
   for (double& x : left_x) x += drift.x;
   for (double& y : left_y) y += drift.y;
@@ -62,7 +65,7 @@ void BiotSavart::carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes
   for (std::size_t k = 0; k < outlet.size(); ++k) {
     const std::size_t i = outlet[k];
     const double out = -dot(cloud.velocity(i), cloud.normal(i));
-    if (!beside_box(box_, cloud.at(i), margin_, stream))
+    if (!beside_box(box_, cloud.at(i), margin_, steady))
       leaving[k] += dt * out * cloud.spacing[i] * vorticity(slopes[i]);
   }
   travelled += drift;
@@ -84,7 +87,7 @@ void BiotSavart::release(const Cloud& cloud, const std::vector<std::uint32_t>& o
 void BiotSavart::velocity(const std::vector<double>& x, const std::vector<double>& y, Vec2 stream,
                           std::span<double> u, std::span<double> v) const {
   std::ranges::fill(u, stream.x), std::ranges::fill(v, stream.y);
-  if (x_.empty() || x.empty()) return;
+  if (all_.x.empty() || x.empty()) return;
   plan(x.size(), {}).velocity_bare({x, y}, u, v);
   for (std::size_t k = 0; k < x.size(); ++k) u[k] += stream.x, v[k] += stream.y;
 }
@@ -92,32 +95,34 @@ void BiotSavart::velocity(const std::vector<double>& x, const std::vector<double
 void BiotSavart::velocity_among(const std::vector<double>& x, const std::vector<double>& y,
                                 std::span<double> u, std::span<double> v) const {
   std::ranges::fill(u, 0.0), std::ranges::fill(v, 0.0);
-  if (x_.empty() || x.empty()) return;
-  plan(x.size(), sigma_).velocity({x, y, {}}, u, v);
+  if (all_.x.empty() || x.empty()) return;
+  plan(x.size(), all_.sigma).velocity({x, y, {}}, u, v);
 }
 
 fmm::Plan BiotSavart::plan(std::size_t targets, std::span<const double> cores) const {
-  const bool few = x_.size() * targets < worth_a_tree;
-  return {{x_, y_, gamma_, cores},
+  const bool few = all_.x.size() * targets < worth_a_tree;
+  return {{all_.x, all_.y, all_.gamma, cores},
           {.tolerance = far_field_tolerance,
            .method = few ? fmm::SumMethod::direct : fmm::SumMethod::fmm}};
 }
 
 double BiotSavart::circulation() const {
   double sum = 0;
-  for (const double gamma : gamma_) sum += gamma;
+  for (const double gamma : all_.gamma) sum += gamma;
   return sum;
 }
 
 double BiotSavart::second_moment() const {
   double sum = 0;
-  for (std::size_t k = 0; k < x_.size(); ++k) sum += gamma_[k] * (x_[k] * x_[k] + y_[k] * y_[k]);
+  for (std::size_t k = 0; k < all_.x.size(); ++k)
+    sum += all_.gamma[k] * (all_.x[k] * all_.x[k] + all_.y[k] * all_.y[k]);
   return sum;
 }
 
 Vec2 BiotSavart::impulse() const {
   Vec2 sum{};
-  for (std::size_t k = 0; k < x_.size(); ++k) sum += gamma_[k] * Vec2{y_[k], -x_[k]};
+  for (std::size_t k = 0; k < all_.x.size(); ++k)
+    sum += all_.gamma[k] * Vec2{all_.y[k], -all_.x[k]};
   return sum;
 }
 

@@ -34,8 +34,16 @@ class BiotSavart {
   BiotSavart(const OuterBox& box, double margin, double spin, double faintest)
       : box_(box), margin_(margin), spin_(spin), faintest_(faintest) {}
 
-  /// Takes up the vorticity of a cloud. The stream tells the side by which it leaves.
-  void renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream);
+  /// Where vortices are and how they move, as seen from the box; what has left, with the stream.
+  struct Vortices {
+    std::vector<double> x, y, gamma, sigma, u, v;
+  };
+  [[nodiscard]] const Vortices& vortices() const { return all_; }
+
+  /// Takes up the vorticity of a cloud. The steady stream tells the side by which it leaves.
+  ///
+  /// stream   that the box meets
+  void renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 steady, Vec2 stream);
 
   /// And the sheet of a wall that slips: (u - u_wall).t ds at each node.
   ///
@@ -49,7 +57,7 @@ class BiotSavart {
   /// as a vortex for each node and half a spacing of way, in the middle of what has left so far.
   ///
   /// drift   how far the fluid outside moves meanwhile, as seen from the box [L]
-  void carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 stream, Vec2 drift,
+  void carry_out(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 steady, Vec2 drift,
                  double dt);
 
   /// At nodes outside of the vorticity, with the stream.
@@ -71,14 +79,14 @@ class BiotSavart {
   Vec2 travelled{};
 
  private:
-  void add(Vec2 at, double gamma, double spacing);
+  void add(Vec2 at, Vec2 velocity, double gamma, double spacing);
   void release(const Cloud& cloud, const std::vector<std::uint32_t>& outlet);
 
   [[nodiscard]] fmm::Plan plan(std::size_t targets, std::span<const double> cores) const;
 
   OuterBox box_{};
   double margin_ = 0, spin_ = 0, faintest_ = 0;
-  std::vector<double> x_, y_, gamma_, sigma_;
+  Vortices all_;
 };
 
 }  // namespace vortree::sph

@@ -15,6 +15,9 @@ inline constexpr double least_depth = 0.35, least_beyond_rings = 0.45, too_close
 /// Vortices of less circulation are not handed to the far field [U D], whose sums err by so much.
 inline constexpr double faintest_vortex = 1e-7, far_field_tolerance = 1e-6;
 
+/// Sources of a wall for its unit potentials, where nodes are not as many: solved for in 60 ms.
+inline constexpr int enough_sources = 1000;
+
 /// Cores of particles where velocities are asked for among them [spacings].
 inline constexpr double core = 1.5;
 

@@ -81,7 +81,7 @@ TEST_CASE("the far field's velocity is the sum over the particles' vorticity and
   const Whirls whirls(500);
   const Vec2 stream{0.8, 0.3};
   BiotSavart far(wide, 1, 0, 1e-7);
-  far.renew(whirls.cloud, whirls.slopes, stream);
+  far.renew(whirls.cloud, whirls.slopes, stream, stream);
   check_direct(Seen(far, stream), whirls.vortices, stream);
   double circulation = 0;
   Vec2 impulse{};
@@ -184,11 +184,11 @@ TEST_CASE("what has left drifts on and counts, whatever the particles are") {
   BiotSavart far(wide, 0.5, 0, 1e-7);
   far.left_x = {5.9, 5.8}, far.left_y = {0.3, -0.2}, far.left_gamma = {0.7, -0.4};
   far.carry_out({}, {}, stream, stream, 1);
-  far.renew(whirls.cloud, whirls.slopes, stream);
+  far.renew(whirls.cloud, whirls.slopes, stream, stream);
   std::vector<Vortex> all = whirls.vortices;
   all.push_back({{7.9, 0.8}, 0.7}), all.push_back({{7.8, 0.3}, -0.4});
   check_direct(Seen(far, stream), all, stream);
-  far.renew({}, {}, stream);
+  far.renew({}, {}, stream, stream);
   CHECK(far.circulation() == Approx(0.3).epsilon(1e-15));
   CHECK(far.impulse().y == Approx(-0.7 * 7.9 + 0.4 * 7.8).epsilon(1e-14));
 }
@@ -208,7 +208,7 @@ TEST_CASE("vorticity counts within the margin of the side alone by which the str
       Whirls one(0);
       one.add(at, 0.1, ParticleKind::fluid, 2);
       BiotSavart far(wide, margin, 0, 1e-7);
-      far.renew(one.cloud, one.slopes, stream);
+      far.renew(one.cloud, one.slopes, stream, stream);
       const bool counts = std::ranges::any_of(
           count, [&](Vec2 there) { return there.x == at.x && there.y == at.y; });
       CHECK(far.circulation() == Approx(counts ? 0.02 : 0).epsilon(1e-14));
@@ -220,7 +220,7 @@ TEST_CASE("amid the vorticity particles have cores of 1.5 of their spacings") {
   const Whirls whirls(100);
   const double pi = std::numbers::pi;
   BiotSavart far(wide, 0.5, 0, 1e-7);
-  far.renew(whirls.cloud, whirls.slopes, {1, 0});
+  far.renew(whirls.cloud, whirls.slopes, {1, 0}, {1, 0});
   std::vector<double> x, y;
   for (int k = 0; k < 50; ++k) x.push_back(0.02 * k - 0.5), y.push_back(0.3 * std::sin(k));
   std::vector<double> u(50, 1e9), v(50, 1e9);
@@ -251,7 +251,7 @@ TEST_CASE("a vortex passes the outlet without a jump of what it makes there") {
   double before = 0;
   for (int step = 1; step <= 40; ++step) {
     far.carry_out(outlet.cloud, outlet.slopes, {1, 0}, {dt, 0}, dt);
-    far.renew(outlet.cloud, outlet.slopes, {1, 0});
+    far.renew(outlet.cloud, outlet.slopes, {1, 0}, {1, 0});
     double up = 0;
     for (std::size_t k = 0; k < far.left_y.size(); ++k) up += far.left_gamma[k] * far.left_y[k];
     for (std::size_t k = 0; k < far.leaving.size(); ++k) up += far.leaving[k] * outlet.cloud.y[k];
@@ -279,7 +279,7 @@ TEST_CASE("the sheet on a circle that slips as in potential flow is the dipole o
     none.back()[1].x = gamma;
   }
   BiotSavart far(wide, 1, 0, 1e-7);
-  far.renew(cloud, none, {1, 0});
+  far.renew(cloud, none, {1, 0}, {1, 0});
   far.add_sheet(cloud, 0);
   // Trapezia are exact for the trigonometric polynomials of the sheet and of its impulse.
   CHECK(far.circulation() == Approx(0).margin(1e-13));
@@ -308,7 +308,7 @@ TEST_CASE("a body that turns has its circulation, and its wall's own velocity is
   const double circulation = 2 * rate * pi * radius * radius;
   BiotSavart far(wide, 1, circulation, 1e-7);
   const std::vector<Slopes> none(cloud.size());
-  far.renew(cloud, none, {1, 0});
+  far.renew(cloud, none, {1, 0}, {1, 0});
   CHECK(far.circulation() == Approx(circulation).epsilon(1e-14));
   check_direct(Seen(far, {1, 0}), {{{0, 0}, circulation}}, {1, 0});
   // Fluid at rest around it: the sheet takes back what the body has.
@@ -319,7 +319,7 @@ TEST_CASE("a body that turns has its circulation, and its wall's own velocity is
   // Fluid that turns with its wall has no sheet.
   for (std::size_t i = 0; i < cloud.size(); ++i)
     cloud.u[i] = -rate * cloud.y[i], cloud.v[i] = rate * cloud.x[i];
-  far.renew(cloud, none, {1, 0});
+  far.renew(cloud, none, {1, 0}, {1, 0});
   far.add_sheet(cloud, rate);
   CHECK(far.circulation() == Approx(circulation).epsilon(1e-12));
 }
