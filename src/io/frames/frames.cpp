@@ -61,6 +61,14 @@ std::optional<Frame> read_if_good(hid_t file, const FramePlace& place) {
   }
 }
 
+/// A file that was emptied while a frame was added to it is whole again but for the frames before.
+void require_last_frame(hid_t file) {
+  const std::vector<FramePlace> places = frame_places(file);
+  if (!places.empty() && !read_if_good(file, places.back()))
+    throw std::runtime_error(fmt::format("{}: {} is no longer what was written",
+                                         h5::file_name(file), frame_name(places.back().step)));
+}
+
 /// Reads frames from the last to the first, so that the first good one met is the last.
 RecoveredFrames take_stock(hid_t file) {
   RecoveredFrames found;
@@ -138,6 +146,7 @@ void append_frame(const fs::path& dir, const Frame& frame) {
       throw std::invalid_argument(
           fmt::format("{} has a frame of step {} already", path.string(), frame.step));
     }
+    require_last_frame(file);
     write_frame(file, frame);
     h5::close_file(std::move(file), path);
     continue_xdmf(dir, frame);

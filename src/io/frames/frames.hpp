@@ -62,7 +62,7 @@ void create_frames(const std::filesystem::path& dir, const RunInfo&,
 /// this frame.
 ///
 /// throws  std::invalid_argument if the columns differ in length or the file has that step already,
-///         std::runtime_error if it cannot be written
+///         std::runtime_error if it cannot be written, or the frame before is not what it was
 void append_frame(const std::filesystem::path& dir, const Frame&);
 
 /// What a frames file, healthy or not, still holds.

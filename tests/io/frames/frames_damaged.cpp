@@ -125,6 +125,20 @@ TEST_CASE("good frames behind a damaged one are kept") {
   CHECK_THAT(found.warning, Contains("the frame of step 25 is lost"));
 }
 
+TEST_CASE("nothing is added behind a frame that is no longer what was written") {
+  const Sandbox box;
+  const auto ends = write_run(box, 3, 200);
+  std::string damaged = text_of(frames_in(box));
+  // As a file that somebody emptied while a frame was written: the middle is nothing but zeros.
+  const auto from = static_cast<std::ptrdiff_t>(ends[0] + 1),
+             to = static_cast<std::ptrdiff_t>(ends[2]);
+  std::fill(damaged.begin() + from, damaged.begin() + to, '\0');
+  box.write("frames.h5", damaged);
+  CHECK_THROWS_WITH(append_frame(frames_in(box).parent_path(), frame_of(75, 230)),
+                    Contains("frame_000050 is no longer what was written"));
+  CHECK(text_of(frames_in(box)) == damaged);
+}
+
 TEST_CASE("what never was a frames file is an error, not damage") {
   const Sandbox box;
   const auto refused = [](const std::filesystem::path& path) {
@@ -189,7 +203,7 @@ void kill_at_call(pid_t child, int n) {
 TEST_CASE("a kill loses at most the frame that was being written") {
   const Sandbox box;
   std::mt19937 random(9);
-  std::uniform_int_distribution<int> calls(0, 800);  // a frame takes 100, told of twice
+  std::uniform_int_distribution<int> calls(0, 1600);  // a frame takes 200, told of twice
   create_frames(box.path(), info);
   std::int64_t next = 0;
   for (int trial = 0; trial < 15; ++trial) {
