@@ -1,7 +1,6 @@
 #include "app/cli.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <CLI/Error.hpp>
 #include <cerrno>
@@ -22,6 +21,7 @@
 #include "app/commands/plot.hpp"
 #include "app/commands/sweep.hpp"
 #include "app/grammar.hpp"
+#include "app/loop/threads.hpp"
 #include "app/install_paths.hpp"
 #include "app/say.hpp"
 #include "base/free_memory.hpp"
@@ -95,7 +95,7 @@ int print_scene(const Words& words) {
 }
 
 int carry_out(const CLI::App& program, const Words& words) {
-  if (words.threads > 0) omp_set_num_threads(words.threads);
+  take_threads(words.threads);
   if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
   if (program.got_subcommand("check")) return print_scene(words);
   if (program.got_subcommand("velocity")) return print_velocity(words.velocity);

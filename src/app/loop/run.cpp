@@ -230,6 +230,14 @@ RunResult Run::finish() {
           .processor_seconds = totals_.processor_seconds};
 }
 
+/// One that was killed before its first frame was on the disk can only begin anew.
+void require_run(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder / "frames.h5", error))
+    throw io::InputError(fmt::format("{} holds no run to go on with; without --resume it begins",
+                                     folder.string()));
+}
+
 /// A run that is resumed keeps the step that was chosen for it, whatever its end is by now.
 io::Scene scene_of(const RunOptions& options, const flow::Methods& among) {
   const fs::path file = find_scene(options.scene);
@@ -248,6 +256,7 @@ bool RunResult::passed() const {
 }
 
 RunResult run(const RunOptions& options, const flow::Methods& among) {
+  if (options.resume) require_run(options.out);
   io::Scene scene = scene_of(options, among);
   const std::vector<std::string> doubts = warnings(scene);
   const OutputFolder folder(options.out);

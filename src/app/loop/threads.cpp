@@ -10,6 +10,8 @@
 #include <string>
 #include <system_error>
 
+#include "app/say.hpp"
+
 namespace vortree::app {
 namespace {
 
@@ -19,6 +21,7 @@ constexpr const char* rounds = "100000";
 constexpr double at_rest = 0.1;
 /// Seconds after which it is judged, and for which threads go at most.
 constexpr double judged_after = 0.1, longest_rest = 60;
+constexpr int most_on_a_processor = 16;
 
 /// Programs that want a core just now, with this one; 0 if nobody knows.
 int running() {
@@ -50,6 +53,14 @@ void choose_waiting(char** argv) {
   else
     setenv("OMP_WAIT_POLICY", "passive", 1);
   execv("/proc/self/exe", argv);
+}
+
+void take_threads(int asked) {
+  const int wanted = asked > 0 ? asked : omp_get_max_threads();
+  const int processors = omp_get_num_procs(), most = most_on_a_processor * processors;
+  if (wanted > most)
+    say("warning: {} threads are wanted, of {} processors; {} run", wanted, processors, most);
+  omp_set_num_threads(std::min(wanted, most));
 }
 
 int SharedCores::threads(double seconds, double waited) {

@@ -16,6 +16,11 @@ namespace vortree::app {
 /// main
 void choose_waiting(char** argv);
 
+/// Has OpenMP take so many threads, or as many as the environment says if that is 0; never more
+/// than 16 for each processor, which it warns of: they would wait for each other, and of a hundred
+/// thousand the system makes none.
+void take_threads(int asked);
+
 /// How many threads are good to have, while other programs may come and go: where threads wait for
 /// cores, half of them go for a while, each time for longer; then they are tried again.
 class SharedCores {

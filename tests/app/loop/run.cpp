@@ -156,6 +156,18 @@ TEST_CASE("a run that cannot begin is refused with one line and 2") {
   CHECK(outcome.error_lines() == 1);
 }
 
+TEST_CASE("where no run has left a frame there is none to go on with, and the line says so") {
+  const TemporaryFolder folder;
+  folder.write("vortex.toml", vortex);
+  fs::create_directory(folder / "killed");
+  for (const std::string place : {"killed", "never"}) {
+    const auto outcome = call("run vortex.toml --resume --out " + place, folder);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err ==
+          "vortree: " + place + " holds no run to go on with; without --resume it begins\n");
+  }
+}
+
 TEST_CASE("a folder for results that is a link to nothing is named, wherever the link stands") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);

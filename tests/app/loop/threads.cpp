@@ -2,7 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "app/program.hpp"
+
 using vortree::app::SharedCores;
+using namespace vortree::test;
 
 namespace {
 
@@ -23,6 +26,18 @@ Share run(SharedCores& cores, int most, double seconds, double waiting) {
 }
 
 }  // namespace
+
+TEST_CASE("of more threads than processors could ever run there is a warning, and fewer") {
+  const TemporaryFolder here;
+  for (const std::string line : {"OMP_NUM_THREADS=100000 '" VORTREE_PROGRAM "' cases",
+                                 "'" VORTREE_PROGRAM "' run lamb_oseen time.end=0.02 "
+                                 "'output.fields=[]' --threads 4096"}) {
+    const Outcome done = shell(line, here);
+    CAPTURE(line, done.err);
+    CHECK(done.code == 0);
+    CHECK(done.err.find(" threads are wanted, of ") != std::string::npos);
+  }
+}
 
 TEST_CASE("threads stay where nothing else runs, and where there is but one") {
   for (const int most : {1, 2, 8}) {

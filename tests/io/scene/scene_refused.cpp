@@ -288,7 +288,8 @@ TEST_CASE("a reference file is a table with the columns that the check asks for"
   for (const std::string key : {"drag", "wall_vorticity", "moments"})
     CHECK(refused_with({"check." + key + "_reference=."}) ==
           "command line: check." + key + "_reference=.: check." + key +
-              "_reference is \".\"; there is no file " + (box / ".").string());
+              "_reference is \".\"; " + (box / ".").string() +
+              " is a folder; a file was expected");
   CHECK_THAT(refused_with({"check.wall_vorticity_reference=known.csv"}),
              Contains("no column theta_deg"));
   CHECK_THAT(refused_with({"check.moments_reference=known.csv"}), Contains("no column t;"));
