@@ -22,6 +22,14 @@ struct Beside {
   }
   double sigma() const { return std::sqrt(2 * core.nn); }
 
+  /// How it acts.
+  Placed folded(Vec2 at) const {
+    const double m = folded::mean_distance(wall.distance, sigma(), wall.curvature);
+    const double across = folded::variance_across(wall.distance, sigma(), m);
+    return {at + (m - wall.distance) * wall.normal,
+            core_of({across, core.nt, core.tt}, wall.normal)};
+  }
+
   /// The blob at the distance and of the width across the wall that `own` has.
   Placed put(Vec2 at, const folded::Gaussian& own) const {
     return {at + (own.y - wall.distance) * wall.normal,
@@ -33,24 +41,25 @@ struct Beside {
 
 Placed fold(Vec2 centre, const Core& core, const body::Shape* shape) {
   const Beside blob(centre, core, shape);
-  if (!blob.reached) return {centre, core};
-  const body::WallPoint& w = blob.wall;
-  const double m = folded::mean_distance(w.distance, blob.sigma(), w.curvature);
-  const double across = folded::variance_across(w.distance, blob.sigma(), m);
-  return {centre + (m - w.distance) * w.normal,
-          core_of({across, blob.core.nt, blob.core.tt}, w.normal)};
+  return blob.reached ? blob.folded(centre) : Placed{centre, core};
 }
 
 FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall) {
   FoldedBlobs result{blobs.x, blobs.y, blobs.sigma};
   if (!wall) return result;
+  result.xx.resize(blobs.size());
+  result.xy.resize(blobs.size());
   const std::ptrdiff_t n = std::ssize(blobs.x);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Placed blob = fold(blobs.centre(i), blobs.core(i), wall);
+    const Beside beside(blobs.centre(i), blobs.core(i), wall);
+    if (!beside.reached) continue;
+    const Placed blob = beside.folded(blobs.centre(i));
     result.x[i] = blob.centre.x;
     result.y[i] = blob.centre.y;
     result.sigma[i] = std::sqrt(blob.core.square);
+    result.xx[i] = blob.core.deviator.xx;
+    result.xy[i] = blob.core.deviator.xy;
   }
   return result;
 }

@@ -13,10 +13,17 @@ namespace vortree::vortex {
 ///   sigma_e^2 = v_n + v_t,   v_t = sigma^2/2 along the wall.
 ///
 /// Circulation times folded centroid is the blob's impulse.
+///
+/// xx, xy  what the covariance of a folded core has beyond its mean over all directions [m^2]
+///         (covariance.hpp): a folded core is wider along the wall than across it. 0 for a core
+///         that the wall does not fold; empty in free space
 struct FoldedBlobs {
-  std::vector<double> x, y, sigma;
+  std::vector<double> x, y, sigma, xx{}, xy{};
 
   Vec2 at(std::size_t i) const { return {x[i], y[i]}; }
+  Deviator deviator(std::size_t i) const {
+    return xx.empty() ? Deviator{} : Deviator{xx[i], xy[i]};
+  }
 };
 
 FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall);

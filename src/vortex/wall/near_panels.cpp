@@ -1,6 +1,7 @@
 #include "vortex/wall/near_panels.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "vortex/wall/panel_kernel.hpp"
 #include "vortex/wall/tuning.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 constexpr std::size_t window = exact_aside;
 constexpr std::size_t filled = (2 * window + lane_count) / lane_count * lane_count;
-static_assert(filled >= 2 * window + 1);
+static_assert(filled >= 2 * window + 2);  // so many ends have the panels of a window
 
 panel::Vectors load_vectors(const auto& column, std::size_t place) {
   return {load(&column.x[place]), load(&column.y[place])};
@@ -34,8 +35,11 @@ NearPanels::NearPanels(std::span<const Vec2> edge, std::span<const Vec2> middle,
     sample_[k] = column([&](std::size_t i) {
       return Vec2{samples.x[2 * i + k], samples.y[2 * i + k]};
     });
-  const std::size_t reach = std::min(window, (panels_ - 1) / 2);
-  for (std::size_t k = window - reach; k <= window + reach; ++k) counts_[k] = 1;
+  for (std::size_t k = window - aside(); k <= window + aside(); ++k) counts_[k] = 1;
+}
+
+std::size_t NearPanels::aside() const {
+  return std::min(window, (panels_ - 1) / 2);
 }
 
 std::size_t NearPanels::places() const {
@@ -97,6 +101,34 @@ void NearPanels::add_missed(Vec2 at, double arc, double gamma, std::span<double>
                         panel::angles(at, load_vectors(begin_, p), load_vectors(end_, p));
     const Lanes strength = gamma * load(&counts_[k]);
     store(&missed[p], load(&missed[p]) + strength * (exact - sampled));
+  }
+}
+
+void NearPanels::add_aside(Vec2 at, const ThreePoints& points, double arc, double gamma,
+                           std::span<double> missed) const {
+  const std::size_t first = first_place(arc);
+  std::array<double, filled + 1> seen{};  // a panel's end is the next one's beginning
+  for (std::size_t k = 0; k < filled; k += lane_count)
+    store(&seen[k], panel::angles_aside(at, points, load_vectors(begin_, first + k)));
+  const double strength = panel::inverse_two_pi / length_ * gamma;
+  for (std::size_t k = 0; k < filled; ++k)
+    missed[first + k] += strength * counts_[k] * (seen[k + 1] - seen[k]);
+}
+
+void NearPanels::add_aside_everywhere(Vec2 at, const ThreePoints& points, double gamma,
+                                      std::span<double> missed) const {
+  const double strength = panel::inverse_two_pi / length_ * gamma;
+  std::array<double, 2 * lane_count> seen;  // from the ends of some panels, and from the next ones
+  const auto see = [&](std::size_t k, double* to) {
+    store(to, panel::angles_aside(at, points, load_vectors(begin_, window + k)));
+  };
+  see(0, &seen[0]);
+  for (std::size_t k = 0; k < panels_; k += lane_count) {
+    see(k + lane_count, &seen[lane_count]);
+    const std::size_t count = std::min<std::size_t>(lane_count, panels_ - k);
+    for (std::size_t lane = 0; lane < count; ++lane)
+      missed[window + k + lane] += strength * (seen[lane + 1] - seen[lane]);
+    std::copy_n(&seen[lane_count], lane_count, &seen[0]);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/vec2.hpp"
 #include "tree/order/points.hpp"
+#include "vortex/wall/three_points.hpp"
 
 namespace vortree::vortex {
 
@@ -30,6 +31,17 @@ class NearPanels {
   /// Adds to `missed` (wrapped) the average velocity along each panel of a vortex near the arc,
   /// less the mean of that at the panel's two samples.
   void add_missed(Vec2 at, double arc, double gamma, std::span<double> missed) const;
+
+  /// Adds to `missed` (wrapped) what the average velocity along the panels near the arc, or along
+  /// all panels, gains if a vortex becomes three points.
+  void add_aside(Vec2 at, const ThreePoints& points, double arc, double gamma,
+                 std::span<double> missed) const;
+  void add_aside_everywhere(Vec2 at, const ThreePoints& points, double gamma,
+                            std::span<double> missed) const;
+
+  /// The panel in the middle of the window at this arc, and how many there are to either side.
+  std::size_t panel_at(double arc) const { return first_place(arc) % panels_; }
+  std::size_t aside() const;
 
  private:
   std::size_t places() const;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "base/angle_kernel.hpp"
 #include "base/vec2.hpp"
 #include "fmm/cores/log_kernel.hpp"
+#include "vortex/wall/three_points.hpp"
 
 namespace vortree::vortex::panel {
 
@@ -15,6 +17,14 @@ inline constexpr double inverse_two_pi = 0.5 * std::numbers::inv_pi;
 inline double angle(Vec2 at, Vec2 a, Vec2 b) {
   const Vec2 p = a - at, q = b - at;
   return std::atan2(p.x * q.y - p.y * q.x, dot(p, q));
+}
+
+/// What three points about `at` see of a panel beyond the angle seen from there is the difference
+/// of this at its two ends z: outer/2 arg(1 - arm^2/(z - at)^2).
+inline double angle_aside(Vec2 at, const ThreePoints& points, Vec2 end) {
+  const Vec2 d = end - at;
+  const std::complex<double> z(d.x, d.y), arm2(points.arm_squared.re, points.arm_squared.im);
+  return points.outer / 2 * std::arg(1.0 - arm2 / (z * z));
 }
 
 /// Velocity of a bare vortex of circulation 1 at `source`; none at its own place.
@@ -48,6 +58,14 @@ inline Lanes dot(Vectors a, Vectors b) {
 inline Lanes angles(Vec2 at, Vectors a, Vectors b) {
   const Vectors p = at - a, q = at - b;
   return angle_of(p.x * q.y - p.y * q.x, dot(p, q));
+}
+
+/// twin  angle_aside
+inline Lanes angles_aside(Vec2 at, const ThreePoints& points, Vectors end) {
+  const Vectors d = at - end;
+  const Lanes re = d.x * d.x - d.y * d.y, im = 2.0 * d.x * d.y, size = dot(d, d);
+  const auto [a, b] = points.arm_squared;
+  return 0.5 * points.outer * angle_of(a * im - b * re, size * size - (a * re + b * im));
 }
 
 /// twin  point_velocity

@@ -11,6 +11,19 @@ namespace vortree::vortex {
 /// points, which errs by exp(-2 pi 3) = 7e-9.
 inline constexpr double exact_within = 3;
 inline constexpr int exact_aside = 6;
+/// Farther along the wall cores are felt by so many moments of all that are near a panel: more cost
+/// more, fewer miss more of cores that are wider than panels (far_moments.hpp).
+inline constexpr int far_moments = 8;
+/// Cores that reach so many panels from the wall are felt along all panels one by one: fewer cost
+/// more, more err more.
+inline constexpr double gathered_within = 3.5;
+/// Of a core's circulation, as the wall sees it, that part which lies aside of its mean
+/// (three_points.hpp has the errors): with less of it on longer arms the slip of narrow panels is
+/// too smooth, with more too rough. Flat from 0.45 to 0.55.
+inline constexpr double least_outer = 0.5;
+/// No point that stands for a core is nearer to the wall than so much of the core's mean distance:
+/// nearer ones see single panels, farther ones lose more of the tilt of strained cores.
+inline constexpr double nearest_of_mean = 0.2;
 /// What the multipole of a body's panels leaves out, of sum |gamma|/(2 pi r): terms against digits,
 /// far below the tolerances of the other sums.
 inline constexpr double disc_tolerance = 1e-10;

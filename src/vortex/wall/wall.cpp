@@ -54,21 +54,40 @@ Wall::Wall(std::shared_ptr<const body::Shape> shape, int panels) : shape_(std::m
     }
   }
   near_.emplace(edge_, middle_, tangent_, samples(), length_);
+  far_.emplace(edge_, middle_, length_, near_->aside());
   system_.emplace(sheet_equations(*shape_, middle_, length_), middle_.size() + 1);
 }
 
-std::vector<double> Wall::missed_by_samples(const FoldedBlobs& folded,
-                                            std::span<const double> gamma, std::size_t first,
-                                            std::size_t last) const {
-  std::vector<double> missed = near_->wrapped_zeros();
+Wall::Missed& Wall::Missed::operator+=(const Missed& other) {
+  for (std::size_t i = 0; i < near.size(); ++i) near[i] += other.near[i];
+  for (std::size_t i = 0; i < moments.size(); ++i) moments[i] += other.moments[i];
+  return *this;
+}
+
+/// Exactly along the panels near it, or, if it reaches farther than these, along all.
+void Wall::add_core(Vec2 at, const Deviator& deviator, const body::WallPoint& nearest, double gamma,
+                    Missed& missed) const {
+  const ThreePoints points(deviator, nearest);
+  if (std::hypot(nearest.distance, points.arm()) > gathered_within * length_)
+    return near_->add_aside_everywhere(at, points, gamma, missed.near);
+  near_->add_aside(at, points, nearest.arc, gamma, missed.near);
+  far_->gather(at, points, gamma, near_->panel_at(nearest.arc), missed.moments);
+}
+
+Wall::Missed Wall::missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
+                                     std::size_t first, std::size_t last) const {
+  Missed missed{near_->wrapped_zeros(), far_->none()};
   for (std::size_t j = first; j < last; ++j) {
     const Vec2 at = folded.at(j);
-    if (shape_->beyond(at, exact_within * length_)) continue;
+    const Deviator deviator = folded.deviator(j);
+    const bool round = deviator == Deviator{};
+    if (round && shape_->beyond(at, exact_within * length_)) continue;
     const body::WallPoint w = shape_->nearest(at);
-    if (w.distance > exact_within * length_) continue;
-    near_->add_missed(at, w.arc, gamma[j], missed);
+    if (w.distance <= exact_within * length_) near_->add_missed(at, w.arc, gamma[j], missed.near);
+    if (!round) add_core(at, deviator, w, gamma[j], missed);
   }
-  return near_->unwrapped(missed);
+  missed.near = near_->unwrapped(missed.near);
+  return missed;
 }
 
 std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const FoldedBlobs& folded,
@@ -80,10 +99,11 @@ std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const 
                             Vec2{at_samples.u[2 * i + 1], at_samples.v[2 * i + 1]});
     slip[i] = dot(stream + far, tangent_[i]);
   }
-  const auto missed = ordered_sum(gamma.size(), [&](std::size_t first, std::size_t last) {
+  const Missed missed = ordered_sum(gamma.size(), [&](std::size_t first, std::size_t last) {
     return missed_by_samples(folded, gamma, first, last);
   });
-  for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += missed[i];
+  for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += missed.near[i];
+  far_->add_slip(missed.moments, slip);
   return slip;
 }
 

@@ -9,6 +9,7 @@
 #include "fmm/options.hpp"
 #include "vortex/blobs/velocities.hpp"
 #include "vortex/cores/folded_centroid.hpp"
+#include "vortex/wall/far_moments.hpp"
 #include "vortex/wall/linear_system.hpp"
 #include "vortex/wall/near_panels.hpp"
 
@@ -25,7 +26,9 @@ namespace vortree::vortex {
 /// gamma, slip and tangent all anticlockwise (the bare stream past a circle gives -2 U sin theta).
 /// The trapezoid rule converges faster than any power of b on a smooth curve; K(x, x) is the
 /// curvature/(4 pi). The matrix is factorised once. The average of a vortex's tangential velocity
-/// is the angle under which it sees the panel, gamma/(2 pi b) * angle: exact however near it is.
+/// is the angle under which it sees the panel, gamma/(2 pi b) * angle: exact however near it is. A
+/// core that the wall folds is seen as three bare points with its second moments
+/// (three_points.hpp), a free one as one.
 /// cost    setting up O(panels^3) once; a sheet O(panels^2 + blobs near the wall)
 /// source  Koumoutsakos, Leonard & Pepin, J. Comput. Phys. 113 (1994), eq. 12-15
 class Wall {
@@ -43,8 +46,8 @@ class Wall {
   /// Points where the far field is sampled for the slip: two Gauss points a panel.
   tree::Points samples() const { return {sample_x_, sample_y_}; }
 
-  /// Average slip along each panel: stream, the bare velocity at samples(), and what the samples
-  /// miss of the vortices closer than a few panels.
+  /// Average slip along each panel: stream, the bare velocity at samples(), what the samples miss
+  /// of the vortices closer than a few panels, and the second moments of folded cores.
   std::vector<double> slip(Vec2 stream, const Velocities& at_samples, const FoldedBlobs& folded,
                            std::span<const double> gamma) const;
 
@@ -67,15 +70,23 @@ class Wall {
   void add_velocity_of_points(std::span<const double> sheet, const fmm::Options& sums,
                               tree::Points targets, Velocities& u) const;
 
-  /// What the two samples a panel miss of the vortices [first, last) that are close to it.
-  std::vector<double> missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
-                                        std::size_t first, std::size_t last) const;
+  /// What the two samples a panel miss of some vortices: of those close to it, and of cores.
+  struct Missed {
+    std::vector<double> near;     // a value a panel
+    std::vector<double> moments;  // of folded cores, for panels far along the wall
+    Missed& operator+=(const Missed& other);
+  };
+  Missed missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
+                           std::size_t first, std::size_t last) const;
+  void add_core(Vec2 at, const Deviator& deviator, const body::WallPoint& nearest, double gamma,
+                Missed& missed) const;
 
   std::shared_ptr<const body::Shape> shape_;
   double length_;
   std::vector<Vec2> edge_, middle_, tangent_;
   std::vector<double> sample_x_, sample_y_, middle_x_, middle_y_;
   std::optional<NearPanels> near_;
+  std::optional<FarMoments> far_;
   std::optional<LinearSystem> system_;
 };
 

@@ -50,3 +50,22 @@ TEST_CASE("a panel's angle and velocity are the same in vectors and alone") {
     CHECK(points.y[0] == Approx(w.y).epsilon(1e-14));
   }
 }
+
+TEST_CASE("what three points see of a panel is the same in vectors, alone, and by each point") {
+  bench::Uniform uniform(23);
+  const auto place = [&] { return Vec2{uniform() - 0.5, 0.3 * uniform()}; };
+  for (int k = 0; k < 1000; ++k) {
+    const Vec2 at = place() + Vec2{0, 0.4}, a{uniform() - 0.5, 0}, b{uniform() - 0.5, 0};
+    const vortex::ThreePoints points({uniform() / 20, uniform() / 20 - 0.025},
+                                     {0, at.y, {0, 1}, 0});
+    const auto aside = [&](Vec2 end) { return panel::angle_aside(at, points, end); };
+    const auto all = [](Vec2 z) { return panel::Vectors{fill(z.x), fill(z.y)}; };
+    CHECK(panel::angles_aside(at, points, all(a))[0] == Approx(aside(a)).margin(1e-14));
+    const auto arm = std::sqrt(std::complex(points.arm_squared.re, points.arm_squared.im));
+    const Vec2 out{arm.real(), arm.imag()};
+    const double seen =
+        (1 - points.outer) * panel::angle(at, a, b) +
+        points.outer / 2 * (panel::angle(at + out, a, b) + panel::angle(at - out, a, b));
+    CHECK(panel::angle(at, a, b) + aside(b) - aside(a) == Approx(seen).margin(1e-13));
+  }
+}
