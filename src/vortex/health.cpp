@@ -20,6 +20,8 @@ std::size_t Growth::most(double time, const Setup& setup) const {
   const std::size_t ceiling = std::min(flow::most_particles, setup.held_blobs),
                     many = times(many_blobs), before = counts_.back(),
                     split = p.splitting.children * before;
+  if (!setup.wall && p.splitting.scheme == SplitScheme::lattice)
+    return std::min(ceiling, std::max(many, nodes_of_a_blob * before));
   if (!setup.wall && !setup.splits_endlessly)
     return std::min(ceiling, std::max(many, p.splitting.children * split));
   if (p.merging.tolerance == 0)  // asked for

@@ -21,9 +21,9 @@ class Growth {
   /// rule. Starts that went well, and had the usual number and drag soon after, had up to 597 a
   /// panel, all of it split five times, and 143 000 in all; in others nothing had merged at 2370 a
   /// panel. In free space, where all may split at once, what two splits of all leave, unless
-  /// the children are too wide to merge. All the numbers as many times larger as the merging
-  /// tolerance leaves more blobs than usual. Never more than the machine's memory holds, or 2e7,
-  /// minutes a step.
+  /// the children are too wide to merge; where all are laid onto lattices, nine nodes of each. All
+  /// the numbers as many times larger as the merging tolerance leaves more blobs than usual. Never
+  /// more than the machine's memory holds, or 2e7, minutes a step.
   std::size_t most(double time, const Setup& setup) const;
 
  private:

@@ -14,7 +14,10 @@ std::vector<Key> keys(CoreSettings& cores) {
 std::vector<Key> keys(SplittingSettings& splitting) {
   constexpr Rule inside{
       .low = 0.1, .high = 1, .below_high = true, .words = "it must be >= 0.1 and < 1"};
-  return {key("alpha", splitting.alpha, inside, "", "a child has the core alpha sigma"),
+  return {key("scheme", splitting.scheme,
+              "what wide blobs become away from the body: nodes of a lattice, which keeps wakes "
+              "smooth, or rings of children"),
+          key("alpha", splitting.alpha, inside, "", "a child has the core alpha sigma"),
           key("children", splitting.children,
               {.low = 3, .high = 64, .words = "a ring has 3 to 64 children"}, "",
               "so many children stand on a ring")};

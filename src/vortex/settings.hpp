@@ -8,6 +8,7 @@
 #include "base/keys.hpp"
 #include "flow/case.hpp"
 #include "fmm/options.hpp"
+#include "vortex/adapt/split_scheme.hpp"
 #include "vortex/transport/diffusion.hpp"
 
 // The tables of a scene that belong to the vortex method.
@@ -25,6 +26,8 @@ namespace vortree {
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<vortex::Diffusion>{
     "core_spreading", "random_walk", "particle_exchange"};
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<vortex::SplitScheme>{"ring", "lattice"};
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<vortex::PairCores>{"mean", "source",
                                                                              "both"};
@@ -47,8 +50,10 @@ struct CoreSettings {
   bool operator==(const CoreSettings&) const = default;
 };
 
-/// A child has core alpha sigma; `children` of them stand on a ring.
+/// A child has core alpha sigma; `children` of them stand on a ring. Away from the body wide blobs
+/// split by either scheme.
 struct SplittingSettings {
+  SplitScheme scheme = SplitScheme::lattice;
   double alpha = 0.7;
   int children = 4;
   bool operator==(const SplittingSettings&) const = default;

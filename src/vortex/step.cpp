@@ -141,6 +141,13 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   return wake;
 }
 
+/// Splitting, with what a step spreads.
+Splitting splitting_in(const Problem& p) {
+  Splitting splitting = p.splitting;
+  splitting.spread = 4 * p.flow.nu * p.dt;
+  return splitting;
+}
+
 /// Diffusion that is no core spreading.
 void scatter(Blobs& blobs, const Problem& p, std::uint64_t number) {
   if (p.wall)
@@ -205,7 +212,7 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tre
   }
   if (spreads) {
     phase("split");
-    AdaptedBlobs adapted = split_apart(blobs, p.splitting, shape, number);
+    AdaptedBlobs adapted = split_apart(blobs, splitting_in(p), shape, number);
     phase("merge");
     merge_close(adapted, p.merging);
     if (adapted.all.size() > p.most_blobs) throw Multiplied(adapted.all.size());

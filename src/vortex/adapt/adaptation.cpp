@@ -20,8 +20,8 @@ AdaptedBlobs unpack(const Blobs& blobs, const body::Shape* wall) {
   adapted.all.resize(n);
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Core core = blobs.core(i);
-    adapted.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], core.square, core.deviator,
-                      no_wall,    1};
+    adapted.all[i] = {blobs.x[i], blobs.y[i], blobs.gamma[i], core.square, core.deviator, no_wall,
+                      1,          1};
     if (!wall || wall->distance(blobs.centre(i)) >= folded::support * widest(core)) continue;
     adapted.all[i].at_wall = static_cast<std::uint32_t>(adapted.at_wall.size());
     adapted.at_wall.push_back(beside(wall->nearest(blobs.centre(i)), core));

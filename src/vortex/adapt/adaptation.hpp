@@ -13,11 +13,13 @@ namespace vortree::vortex {
 ///
 /// at_wall   number of what is known of it beside the wall, or no_wall
 /// widening  how many times wider cores may be where it is (coarsening.hpp)
+/// leniency  how many times the tolerance its mergers may err by: its widening near the wall, less
+///           where blobs are laid onto lattices (lay_onto_lattice.hpp)
 struct AdaptedBlob {
   double x, y, gamma, square;
   Deviator deviator;
   std::uint32_t at_wall;
-  float widening;
+  float widening, leniency;
 
   Vec2 centre() const { return {x, y}; }
   Core core() const { return {square, deviator}; }

@@ -33,7 +33,8 @@ class Remainder {
 
   void look_at(Number i) {
     const AdaptedBlob& p = adapted_[i];
-    candidates_.put(slot_[i], limits_.units, p.centre(), std::abs(p.gamma), p.square, p.widening);
+    candidates_.put(slot_[i], limits_.units, p.centre(), std::abs(p.gamma), p.square,
+                    {p.widening, p.leniency});
   }
   bool crowded() const { return looked_ > std::max(most_looks * adapted_.size(), few_looks); }
   double reach_of(std::size_t slot) const;
@@ -245,10 +246,7 @@ void merge_remainder(AdaptedBlobs& adapted, const Merging& merging) {
   adapted.all.resize(left);
 }
 
-}  // namespace
-
-void merge_close(AdaptedBlobs& adapted, const Merging& merging) {
-  if (merging.tolerance <= 0 || adapted.all.size() < 2) return;
+void merge_all(AdaptedBlobs& adapted, const Merging& merging) {
   // What lies within a core or so merges in windows.
   Merging near = merging;
   double shift = 0;
@@ -258,6 +256,29 @@ void merge_close(AdaptedBlobs& adapted, const Merging& merging) {
     shift += window_shift;
   }
   merge_remainder(adapted, merging);
+}
+
+/// Takes out and returns those on a lattice that may merge with none as strong a core away.
+std::vector<AdaptedBlob> take_strong(Unwritten<AdaptedBlob>& all, double tolerance) {
+  std::vector<AdaptedBlob> strong;
+  std::size_t left = 0;
+  for (const AdaptedBlob& p : all)
+    if (p.leniency < p.widening &&
+        std::abs(p.gamma) / 2 > tolerance * p.leniency * std::sqrt(p.square))
+      strong.push_back(p);
+    else
+      all[left++] = p;
+  all.resize(left);
+  return strong;
+}
+
+}  // namespace
+
+void merge_close(AdaptedBlobs& adapted, const Merging& merging) {
+  if (merging.tolerance <= 0 || adapted.all.size() < 2) return;
+  const std::vector<AdaptedBlob> strong = take_strong(adapted.all, merging.tolerance);
+  if (!adapted.all.empty()) merge_all(adapted, merging);
+  adapted.all.insert(adapted.all.end(), strong.begin(), strong.end());
 }
 
 void merge_close(Blobs& blobs, const Merging& merging, const body::Shape* wall) {

@@ -41,6 +41,9 @@ struct Crowded : std::runtime_error {
 ///
 /// Away from a body sigma_max is as many times larger as the smaller widening of the pair
 /// (coarsening.hpp), and min(sigma)^3 becomes the smaller sigma^3 times its own widening.
+/// Where blobs are laid onto lattices, that is a tenth of it (AdaptedBlob::leniency), and those
+/// that could merge with none as strong a core away, |gamma|/2 > tolerance leniency sigma, take no
+/// part: in the end they stand behind the others, in their order.
 ///
 /// Most pairs are neighbors: first windows of 32 of them merge in the cache (merge_windows.hpp),
 /// then whoever is left chooses among all within reach, until no pair is left. Whom a blob chooses

@@ -47,6 +47,7 @@ void merge(AdaptedBlob& p, const AdaptedBlob& q, std::span<AtWall> at_wall) {
   p.deviator = w * p.deviator + (1 - w) * q.deviator + w * (1 - w) * between.deviator;
   p.gamma = gamma;
   p.widening = std::min(p.widening, q.widening);
+  p.leniency = std::min(p.leniency, q.leniency);
 }
 
 namespace {
@@ -115,7 +116,8 @@ void MergeWindow::look_at(std::span<const std::uint32_t> members,
   const Vec2 first = adapted[members[0]].centre();
   for (std::size_t i = 0; i < members.size(); ++i) {
     const AdaptedBlob& p = adapted[members[i]];
-    traits_.put(i, limits.units, p.centre() - first, std::abs(p.gamma), p.square, p.widening);
+    traits_.put(i, limits.units, p.centre() - first, std::abs(p.gamma), p.square,
+                {p.widening, p.leniency});
   }
 }
 
@@ -136,7 +138,7 @@ std::size_t MergeWindow::merge(std::span<std::uint32_t> members, std::span<Adapt
       AdaptedBlob& p = adapted[members[i]];
       merge_kernel::merge(p, adapted[members[partner_[i]]], at_wall);
       traits_.put(i, limits.units, p.centre() - first_place, std::abs(p.gamma), p.square,
-                  p.widening);
+                  {p.widening, p.leniency});
     });
   }
   std::size_t left = 0;

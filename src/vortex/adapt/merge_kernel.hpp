@@ -126,16 +126,21 @@ struct MergeColumns {
   void resize(std::size_t n) {
     for (Column* column : {&x, &y, &gamma, &square, &inverse_cube, &widening2}) column->resize(n);
   }
+  /// How many times the widest core, and the tolerance.
+  struct Times {
+    float widest = 1, tolerance = 1;
+  };
+
   /// gamma must be positive; too small a one vanishes in single precision, and is kept above it. A
-  /// widened tolerance is an error as many times smaller.
+  /// wider tolerance is an error as many times smaller.
   void put(std::size_t k, const Limits::Units& units, Vec2 at, double g, double s2,
-           float widening = 1) {
+           Times times = {}) {
     x[k] = static_cast<float>(at.x * units.per_length);
     y[k] = static_cast<float>(at.y * units.per_length);
     gamma[k] = std::max(static_cast<float>(g * units.per_circulation), 1e-30f);
     square[k] = static_cast<float>(s2 * units.per_length * units.per_length);
-    inverse_cube[k] = 1 / (square[k] * std::sqrt(square[k]) * widening);
-    widening2[k] = widening * widening;
+    inverse_cube[k] = 1 / (square[k] * std::sqrt(square[k]) * times.tolerance);
+    widening2[k] = times.widest * times.widest;
   }
   void copy(std::size_t to, const auto& from, std::size_t k) {
     x[to] = from.x[k];

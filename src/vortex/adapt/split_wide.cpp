@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/random.hpp"
+#include "vortex/adapt/laying.hpp"
 #include "vortex/adapt/tuning.hpp"
 #include "vortex/cores/folded_core.hpp"
 
@@ -184,9 +185,9 @@ void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
   for (int k = 0; k < 4; ++k) {
     const double t = aside[k] + lean * (acts[k] - mean);
     const Vec2 place = foot + distance[k] * w.normal + t * w.tangent();
-    children[k] = {place.x,        place.y,       share[k] * parent.gamma,
-                   rest.square,    rest.deviator, parent.at_wall + k,
-                   parent.widening};
+    children[k] = {place.x,         place.y,        share[k] * parent.gamma,
+                   rest.square,     rest.deviator,  parent.at_wall + k,
+                   parent.widening, parent.leniency};
     body::WallPoint near = wall.nearest(place);
     if (near.distance < 0) {
       const Vec2 back = place - (2 * near.distance) * near.normal;
@@ -206,13 +207,20 @@ void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
 
 constexpr int children_at_wall = 4;
 
-/// Where the children of each blob begin, and what they know of the wall.
+/// Where the children of each blob begin, and what they know of the wall. Those that are laid onto
+/// a lattice have none.
 struct Places {
   std::vector<std::uint32_t> children, at_wall;
-  std::vector<float> widening;
+  std::vector<float> widening, leniency;
+  std::vector<std::int8_t> laid;  // onto this level
 
-  Places(const Blobs& blobs, double widest, const Splitting& splitting, const body::Shape* wall)
-      : children(blobs.size() + 1), at_wall(blobs.size() + 1), widening(blobs.size(), 1.0f) {
+  Places(const Blobs& blobs, double widest, const Splitting& splitting, const body::Shape* wall,
+         const Laying& laying)
+      : children(blobs.size() + 1),
+        at_wall(blobs.size() + 1),
+        widening(blobs.size()),
+        leniency(blobs.size()),
+        laid(blobs.size()) {
     const auto n = static_cast<std::ptrdiff_t>(blobs.size());
     const double alpha = splitting.alpha;
     const bool coarsens = wall && !splitting.coarsening.everywhere_alike();
@@ -222,12 +230,19 @@ struct Places {
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = vortex::widest(blobs.core(i));
-      const bool near = wall && !wall->beyond(blobs.centre(i), support_of_split * s);
+      const double seen = std::max(support_of_split * s, laying.seen_from(s));
+      const bool near = wall && !wall->beyond(blobs.centre(i), seen);
       const double distance = near || coarsens ? wall->distance(blobs.centre(i)) : INFINITY;
-      if (coarsens) widening[i] = splitting.coarsening.widening(distance);
-      const bool splits = blobs.sigma[i] > widest * widening[i];
+      const float of_place = coarsens ? splitting.coarsening.widening(distance) : 1.0f;
+      const bool splits = blobs.sigma[i] > widest * of_place;
       const bool folds = distance < (splits ? support_of_split : folded::support) * s;
-      children[i + 1] = !splits ? 1 : folds ? children_at_wall : splitting.children;
+      const Laying::Lot lot = folds ? Laying::Lot{.widening = of_place, .leniency = of_place}
+                                    : laying.lot(blobs, i, distance, of_place);
+      widening[i] = lot.widening;
+      leniency[i] = lot.leniency;
+      laid[i] = lot.level;
+      const int split = folds ? children_at_wall : splitting.children;
+      children[i + 1] = lot.level != Laying::none ? 0 : splits && !lot.free ? split : 1;
       at_wall[i + 1] = folds ? children[i + 1] : 0;
     }
     for (std::ptrdiff_t i = 0; i < n; ++i) {
@@ -251,7 +266,8 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
   const auto n = static_cast<std::ptrdiff_t>(blobs.size());
   const double widest = splitting.sigma_max * (1 + 1e-12),
                alpha2 = splitting.alpha * splitting.alpha;
-  const Places places(blobs, widest, splitting, wall);
+  const Laying laying(splitting, wall, step);
+  const Places places(blobs, widest, splitting, wall, laying);
   const Rings rings(splitting, step);
   AdaptedBlobs adapted;
   adapted.all.resize(places.children[n]);
@@ -263,8 +279,8 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
     const bool near = places.beside_wall(i);
     const std::uint32_t slot = near ? places.at_wall[i] : no_wall;
     const std::span<AdaptedBlob> made(&adapted.all[places.children[i]], places.children_of(i));
-    const AdaptedBlob parent{at.x,          at.y, blobs.gamma[i],    core.square,
-                             core.deviator, slot, places.widening[i]};
+    const AdaptedBlob parent{at.x,          at.y, blobs.gamma[i],     core.square,
+                             core.deviator, slot, places.widening[i], places.leniency[i]};
     if (made.size() == 1) {
       made[0] = parent;
       if (near) adapted.at_wall[slot] = beside(wall->nearest(at), core);
@@ -274,6 +290,7 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
       split_freely(made, parent, alpha2, rings);
     }
   }
+  laying.append_nodes(adapted.all, blobs, places.laid);
   return adapted;
 }
 

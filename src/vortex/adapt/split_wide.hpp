@@ -4,6 +4,7 @@
 
 #include "vortex/adapt/adaptation.hpp"
 #include "vortex/adapt/coarsening.hpp"
+#include "vortex/adapt/split_scheme.hpp"
 
 namespace vortree::vortex {
 
@@ -14,14 +15,24 @@ namespace vortree::vortex {
 /// children    around the parent's centre, away from a wall
 /// seed        of the hash that turns the ring
 /// coarsening  where there is a wall: wider cores away from it
+/// scheme      what they become away from a wall
+/// faint       in free space: vorticity so weak that lattices are coarser (laying.hpp) [1/s]
+/// spread      what a step adds to sigma^2 [m^2], which a step tells; 0: each blob is laid onto a
+///             lattice when it is wide enough
 struct Splitting {
   double sigma_max;
   double alpha = 0.7;
   int children = 4;
   std::uint64_t seed = 1;
   Coarsening coarsening{};
+  SplitScheme scheme = SplitScheme::ring;
+  double faint = 0;
+  double spread = 0;
 };
 
+/// By the scheme `lattice`, lays wide blobs onto lattices wherever the wall is far enough
+/// (laying.hpp). Elsewhere, and by the scheme `ring`:
+///
 /// Replaces each blob wider than sigma_max (widened as its place allows) by M children of gamma/M
 /// and width alpha sigma on an ellipse: the ring of radius sigma sqrt(1 - alpha^2) drawn out as the
 /// parent's strain has it (children keep what would draw it out beyond nine tenths). Conserves

@@ -35,6 +35,9 @@ namespace vortree::vortex {
 ///   makes up for,
 ///   merging.tolerance = 0.02 e L omega,  velocity.tolerance = e/1000
 ///
+/// Steps, cores and levels of the lattices that wide blobs are laid onto follow from sigma_max and
+/// dt (vortex/adapt/laying.hpp).
+///
 /// throws  Refused if a needed key is neither written nor chosen, and for an initial flow that
 ///         fills the plane
 void choose_missing(flow::Case& of, VortexSettings& own, const flow::Written& written);

@@ -24,7 +24,7 @@ constexpr double bytes_a_blob = 1000, bytes_a_point = 150, blobs_a_second = 2e5,
 
 /// How many a blob becomes where nothing merges.
 double multiplied_in(const VortexCase& scene, double time) {
-  if (!spreads_cores(scene) || scene.merging.tolerance > 0) return 1;
+  if (!makes_children(scene) || scene.merging.tolerance > 0) return 1;
   return std::pow(scene.splitting.children, std::floor(generations(scene, time)));
 }
 
@@ -33,7 +33,8 @@ double free_blobs(const VortexCase& scene) {
   const double start = lattice_blobs(i, scene.cores.sigma_0),
                most2 = scene.cores.sigma_max * scene.cores.sigma_max;
   if (!spreads_cores(scene)) return start;
-  if (scene.merging.tolerance == 0) return start * multiplied_in(scene, scene.time.end);
+  if (scene.merging.tolerance == 0 && makes_children(scene))
+    return start * multiplied_in(scene, scene.time.end);
   const auto [along, across] = flow::half_widths(i);
   const auto vortices = static_cast<double>(flow::vortices(i));
   const double spread = 4 * scene.flow.nu * scene.time.end;

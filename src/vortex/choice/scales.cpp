@@ -19,7 +19,12 @@ bool spreads_cores(const VortexCase& scene) {
   return scene.flow.nu > 0 && scene.diffusion.kind == Diffusion::core_spreading;
 }
 
+bool makes_children(const VortexCase& scene) {
+  return spreads_cores(scene) && (scene.body || scene.splitting.scheme == SplitScheme::ring);
+}
+
 double crowding(const VortexCase& scene) {
+  if (!makes_children(scene)) return 1;
   const double widest = scene.cores.sigma_max, layer = boundary_layer(scene);
   double usual = 0;
   if (layer > 0)
@@ -64,7 +69,7 @@ double width_of_endless_splits(const VortexCase& scene) {
 
 bool splits_endlessly(const VortexCase& scene) {
   const double child = width_of_endless_splits(scene), widest = scene.cores.sigma_max;
-  return child * child > scene.merging.cap * widest * widest;
+  return makes_children(scene) && child * child > scene.merging.cap * widest * widest;
 }
 
 double generations(const VortexCase& scene, double time) {

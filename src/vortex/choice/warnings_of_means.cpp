@@ -101,8 +101,19 @@ void doubt_merging(Warnings& list, const VortexCase& scene, double speed, double
         scene.merging.reach));
 }
 
+/// In free space, where all that is too wide is laid onto lattices.
+void doubt_lattice(Warnings& list, const VortexCase& scene) {
+  const double widest = scene.cores.sigma_max, nu = scene.flow.nu, dt = scene.time.dt;
+  if (4 * nu * dt <= 1.4 * widest * widest) return;  // what two levels are apart, but for nodes
+  list.push_back(fmt::format(
+      "cores.sigma_max = {:.3g}: one step of time.dt = {:.3g} widens cores by {:.3g}, more than a "
+      "lattice makes up for: they will be laid onto coarser ones; {:.2g} is right",
+      widest, dt, std::sqrt(4 * nu * dt), std::sqrt(4 * nu * dt)));
+}
+
 void doubt_spreading(Warnings& list, const VortexCase& scene) {
   if (!spreads_cores(scene)) return;
+  if (!makes_children(scene)) return doubt_lattice(list, scene);
   doubt_splitting(list, scene);
   if (scene.body && flow::fastest_of(scene) > 0) {
     const double speed = flow::fastest_of(scene);
