@@ -16,6 +16,7 @@ using flow::Warnings;
 
 /// What becomes of blobs that do not merge.
 std::string multiplies(const VortexCase& scene) {
+  if (!makes_children(scene)) return "each lattice adds a row of nodes around the vorticity";
   return fmt::format("blobs split into {} for each {:.2g} of time", scene.splitting.children,
                      1 / generations(scene, 1));
 }
@@ -113,8 +114,10 @@ void doubt_lattice(Warnings& list, const VortexCase& scene) {
 
 void doubt_spreading(Warnings& list, const VortexCase& scene) {
   if (!spreads_cores(scene)) return;
-  if (!makes_children(scene)) return doubt_lattice(list, scene);
-  doubt_splitting(list, scene);
+  if (makes_children(scene))
+    doubt_splitting(list, scene);
+  else
+    doubt_lattice(list, scene);
   if (scene.body && flow::fastest_of(scene) > 0) {
     const double speed = flow::fastest_of(scene);
     doubt_merging(list, scene, 0.5 * speed, 0.04 * speed);

@@ -105,13 +105,23 @@ TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws
   };
   CHECK(doubted_of({}).empty());
   CHECK(about(doubted_of({"flow.nu=1"}), "cores.sigma_max = 0.05: one step"));
-  CHECK(about(doubted_of({"splitting.alpha=0.99"}), "cores.sigma_max = 0.05: one step"));
-  CHECK(about(doubted_of({"splitting.alpha=0.3"}), "splitting.alpha"));
+  const auto by_rings = [&](const std::string& override) {
+    return doubted_of({"splitting.scheme=ring", override});
+  };
+  CHECK(by_rings("seed=1").empty());
+  CHECK(about(by_rings("flow.nu=1"), "cores.sigma_max = 0.05: one step"));
+  CHECK(about(by_rings("splitting.alpha=0.99"), "cores.sigma_max = 0.05: one step"));
+  CHECK(about(by_rings("splitting.alpha=0.3"), "splitting.alpha"));
+  CHECK(about(by_rings("merging.tolerance=0"), "merging.tolerance = 0"));
+  CHECK(about(by_rings("merging.tolerance=1e-5"), "merging.tolerance = 1e-05: hardly"));
+  CHECK(about(by_rings("merging.cap=0.33"), "merging.cap = 0.33"));
+  CHECK(about(by_rings("merging.cap=0.01"), "cores.sigma_max = 0.05: one step"));
+  // Lattices have no children that must merge.
+  for (const char* of_rings :
+       {"splitting.alpha=0.99", "merging.tolerance=1e-5", "merging.cap=0.33"})
+    CHECK(doubted_of({of_rings}).empty());
   CHECK(about(doubted_of({"merging.tolerance=0"}), "merging.tolerance = 0"));
   CHECK(about(doubted_of({"merging.tolerance=1e9"}), "merging.tolerance"));
-  CHECK(about(doubted_of({"merging.tolerance=1e-5"}), "merging.tolerance = 1e-05: hardly"));
-  CHECK(about(doubted_of({"merging.cap=0.33"}), "merging.cap = 0.33"));
-  CHECK(about(doubted_of({"merging.cap=0.01"}), "cores.sigma_max = 0.05: one step"));
   CHECK(about(doubted_of({"merging.reach=1e9"}), "merging.reach"));
   CHECK(about(doubted_of({"merging.reach=1e-9"}), "merging.reach"));
   CHECK(about(doubted_of({"velocity.tolerance=0.1"}), "velocity.tolerance"));
@@ -221,8 +231,9 @@ TEST_CASE("a vortex of which hardly anything merges runs, and is warned of") {
   const NoFigures quick(folder);
   folder.write("vortex.toml", free_vortex);
   for (const char* override : {"merging.tolerance=2e-6", "merging.cap=0.33", "merging.reach=0.2"}) {
-    const auto outcome =
-        call(std::string("run vortex.toml --overwrite time.end=0.4 ") + override, folder);
+    const auto outcome = call(
+        std::string("run vortex.toml --overwrite splitting.scheme=ring time.end=0.4 ") + override,
+        folder);
     CAPTURE(override, outcome.err);
     CHECK(outcome.code == 0);
     CHECK(outcome.err.find("warning: merging.") != std::string::npos);
