@@ -28,7 +28,7 @@ double crowding(const VortexCase& scene) {
   const double widest = scene.cores.sigma_max, layer = boundary_layer(scene);
   double usual = 0;
   if (layer > 0)
-    usual = 0.1 * flow::fastest_of(scene) * widest / layer;
+    usual = flow::fastest_of(scene) * widest * widest / (16 * layer * layer);
   else if (scene.initial)
     usual = 0.014 * flow::mean_vorticity(*scene.initial) * widest * widest /
             flow::least_width(*scene.initial);
