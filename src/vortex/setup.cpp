@@ -87,6 +87,7 @@ Setup setup_of(const VortexCase& scene) {
                   .reach = scene.merging.reach,
                   .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
       .faintest = made.wall ? faintest_kept * scales.speed * scales.length : 0,
+      .unfelt = merged_unfelt * scales.speed,
       .wall = made.wall.get(),
       .sums = sums_of(scene.velocity),
   };

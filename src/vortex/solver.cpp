@@ -48,6 +48,14 @@ constexpr std::pair<const char*, double& (*)(Wake&)> of_wake[] = {
     {"wake friction_y", [](Wake& w) -> double& { return w.friction.y; }},
     {"wake bubble_length", [](Wake& w) -> double& { return w.bubble_length; }}};
 
+/// Columns of what drifts.
+constexpr std::pair<const char*, std::vector<double> Drifting::*> of_drifting[] = {
+    {"drifting x", &Drifting::x},
+    {"drifting y", &Drifting::y},
+    {"drifting gamma", &Drifting::gamma},
+    {"drifting sigma", &Drifting::sigma},
+    {"drifting spread", &Drifting::spread}};
+
 void save_numbers(flow::State& state, const auto& numbers, auto of) {
   for (const auto& [name, number] : numbers) state[name] = {number(of)};
 }
@@ -61,9 +69,17 @@ void restore_numbers(const flow::State& state, const auto& numbers, auto& of) {
 VortexSolver::VortexSolver(Setup setup)
     : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
   setup_.problem.wall = wall();
+  setup_.problem.box = box_at(0);
   take(start(blobs_, setup_.problem));
   second_moment_at_start_ = flow::measured(measures_, "second_moment");
   drift_ = drift_now();
+}
+
+/// The box as the blobs are seen.
+std::optional<Box> VortexSolver::box_at(double time) const {
+  if (!setup_.box) return std::nullopt;
+  const Vec2 origin = setup_.origin.at(time);
+  return Box{setup_.box->low - origin, setup_.box->high - origin};
 }
 
 /// What a step has left becomes the flow as it is.
@@ -76,8 +92,7 @@ void VortexSolver::take(Wake wake) {
 void VortexSolver::step(const tree::Phase& phase) {
   const double later = time_of(steps_ + 1);
   Problem& problem = setup_.problem;
-  const Vec2 origin = setup_.origin.at(later);
-  if (setup_.box) problem.box = Box{setup_.box->low - origin, setup_.box->high - origin};
+  problem.box = box_at(later);
   problem.most_blobs = growth_.most(later, setup_);
   Blobs before = blobs_;
   const auto give_up = [&](const std::string& reason) {
@@ -101,6 +116,7 @@ void VortexSolver::step(const tree::Phase& phase) {
   if (const std::string reason = broken(blobs_, setup_, later); !reason.empty()) give_up(reason);
   ++steps_;
   problem.outflow = wake.outflow;
+  problem.drifting = std::move(wake.drifting);
   problem.time = later;
   take(std::move(wake));
   drift_ = std::max(drift_, drift_now());
@@ -211,7 +227,8 @@ flow::Closing VortexSolver::closing() const {
   const Outflow& gone = setup_.problem.outflow;
   return {{{"left_box.circulation", "L^2/T", gone.gamma},
            {"left_box.of_both_signs", "L^2/T", gone.of_both_signs},
-           {"left_box.share", "", share_gone()}},
+           {"left_box.share", "", share_gone()},
+           {"left_box.drifting", "", static_cast<double>(setup_.problem.drifting.size())}},
           rounded(std::round(100 * share_gone()), 6) +
               " % of the vorticity of both signs has left merging.box, " + rounded(gone.gamma, 3) +
               " net"};
@@ -224,12 +241,25 @@ void VortexSolver::save(flow::State& state) const {
   }
   for (const auto& [name, column] : hidden) state[name] = blobs_.*column;
   save_numbers(state, of_outflow, setup_.problem.outflow);
+  for (const auto& [name, column] : of_drifting) state[name] = setup_.problem.drifting.*column;
   state["second_moment_at_start"] = {second_moment_at_start_};
   state["largest_drift"] = {drift_};
   if (!wall()) return;
   save_numbers(state, of_wake, wake_);
   state["sheet"] = wake_.sheet;
   state["wall_vorticity"] = wake_.wall_vorticity;
+}
+
+/// What has left. Runs saved when nothing drifted have its moment a step ahead.
+void VortexSolver::restore_left(const flow::State& state) {
+  Problem& problem = setup_.problem;
+  problem.box = box_at(problem.time);
+  restore_numbers(state, of_outflow, problem.outflow);
+  problem.drifting = {};
+  if (!state.contains(of_drifting[0].first))
+    return problem.outflow.drift(-1.0 * problem.flow.way(problem.time - problem.dt, problem.dt));
+  for (const auto& [name, column] : of_drifting)
+    problem.drifting.*column = flow::saved(state, name);
 }
 
 void VortexSolver::restore(long steps, const flow::Columns& columns, const flow::State& state) {
@@ -241,7 +271,7 @@ void VortexSolver::restore(long steps, const flow::Columns& columns, const flow:
             elsewhere ? flow::saved(state, "y_in_flow") : flow::column(columns, "y"),
             flow::column(columns, "gamma"), flow::column(columns, "sigma")};
   for (const auto& [name, column] : hidden) blobs_.*column = flow::saved(state, name);
-  restore_numbers(state, of_outflow, problem.outflow);
+  restore_left(state);
   second_moment_at_start_ = flow::saved_number(state, "second_moment_at_start");
   drift_ = flow::saved_number(state, "largest_drift");
   wake_ = {};

@@ -47,11 +47,13 @@ class VortexSolver final : public flow::Solver {
   const Wall* wall() const { return setup_.wall.get(); }
   const body::Shape* shape() const { return wall() ? &wall()->shape() : nullptr; }
   Vec2 origin() const { return setup_.origin.at(time()); }
+  std::optional<Box> box_at(double time) const;
   double time_of(long step) const { return static_cast<double>(step) * setup_.problem.dt; }
   flow::Measures measure() const;
   double drift_now() const;
   double share_gone() const;
   void take(Wake wake);
+  void restore_left(const flow::State& state);
 
   Setup setup_;
   Blobs blobs_;

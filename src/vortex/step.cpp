@@ -45,9 +45,23 @@ void add_body(Velocities& u, tree::Points at, double circulation) {
   }
 }
 
-/// Of all sheets, that which leaves no circulation in fluid and body together.
-double sheet_circulation(const Blobs& blobs, const Problem& p) {
-  return -total(blobs.gamma) - p.outflow.gamma - of_body(p);
+Blobs felt(const Problem& p) {
+  return p.box ? felt(p.drifting, *p.box) : Blobs{};
+}
+
+/// The blobs, and after them those that have left and are felt.
+Blobs with_drifting(const Blobs& blobs, const Problem& p) {
+  Blobs all = blobs;
+  const Blobs drifting = felt(p);
+  for (std::size_t i = 0; i < drifting.size(); ++i)
+    all.append(drifting.centre(i), drifting.gamma[i], drifting.core(i));
+  return all;
+}
+
+/// Of all sheets, that which leaves no circulation in fluid and body together. `all` has those that
+/// drift, too.
+double sheet_circulation(const Blobs& all, const Problem& p) {
+  return -total(all.gamma) - (p.outflow.gamma - total(felt(p).gamma)) - of_body(p);
 }
 
 fmm::Sources as_sources(const Blobs& blobs, const FoldedBlobs& at) {
@@ -97,8 +111,9 @@ struct AtRest {
 
 /// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
 /// blobs and sheet together.
-AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
-                  Vec2 stream) {
+AtRest with_sheet(tree::Points points, const Blobs& inside, const Problem& p, Vec2 stream) {
+  const Blobs blobs = with_drifting(inside, p);
+  const FoldedBlobs at = fold(blobs, &p.wall->shape());
   AtRest result{{}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
   const fmm::Plan plan(as_sources(blobs, at), at_points(p.sums));
@@ -130,7 +145,7 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   const flow::WakeLine line =
       stream ? flow::wake_line(p.wall->middles(), p.wall->shape(), p.flow.stream)
              : flow::WakeLine{};
-  AtRest at_rest = with_sheet(line.points(), blobs, at, p, p.flow.stream_at(time));
+  AtRest at_rest = with_sheet(line.points(), blobs, p, p.flow.stream_at(time));
   wake.sheet = std::move(at_rest.sheet);
   wake.bubble_length = flow::bubble_length(line, at_rest.u.u, at_rest.u.v);
   wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.outflow.moment;
@@ -187,7 +202,54 @@ Wake start(Blobs& blobs, const Problem& p) {
 
 namespace {
 
-Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tree::Phase& phase) {
+/// Carries all for a step. Those that drift go with the stream alone; what others would have carried
+/// them beyond it belongs to the moment of what has left all the same: it is what these others, and
+/// the sheet, are carried by them, the other way, and no force on the body.
+void carry(Blobs& blobs, Problem& p, const body::Shape* shape, bool strains) {
+  const Vec2 way = p.flow.way(p.time, p.dt);
+  const std::size_t inside = blobs.size();
+  const Blobs from = with_drifting(blobs, p);
+  blobs = from;
+  convect(
+      blobs,
+      [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* gradients) {
+        return advecting_velocity(b, at, p, p.flow.stream_at(p.time + after), gradients);
+      },
+      shape, p.scheme, p.dt, strains);
+  for (std::size_t i = inside; i < from.size(); ++i)
+    p.outflow.moment += from.gamma[i] * (blobs.centre(i) - from.centre(i) - way);
+  blobs.resize(inside);
+  p.outflow.drift(way);
+  if (p.box) drift(p.drifting, way, 4 * p.flow.nu * p.dt, *p.box);
+}
+
+/// Radius around the origin within which the wall lies.
+double radius_of(const Wall& wall) {
+  double square = 0;
+  for (const Vec2 at : wall.middles()) square = std::max(square, dot(at, at));
+  return std::sqrt(square);
+}
+
+/// What has left the box drifts on, and comes back as blobs where the stream brings it back.
+void exchange_with_drifting(Blobs& blobs, const Blobs& left, Problem& p) {
+  const Blobs back = come_back(p.drifting, *p.box);
+  p.outflow.take_back(account_of(back));
+  for (std::size_t i = 0; i < back.size(); ++i)
+    blobs.append(back.centre(i), back.gamma[i], back.core(i));
+  take(p.drifting, left);
+  merge_drifting(p.drifting, radius_of(*p.wall), p.unfelt);
+}
+
+void let_go(Blobs& blobs, Problem& p) {
+  if (p.box) {
+    const Blobs left = take_outside(blobs, *p.box);
+    p.outflow = p.outflow + account_of(left);
+    if (p.wall) exchange_with_drifting(blobs, left, p);
+  }
+  if (p.faintest > 0) p.outflow = p.outflow + remove_faint(blobs, p.faintest);
+}
+
+Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phase& phase) {
   const body::Shape* shape = p.wall ? &p.wall->shape() : nullptr;
   Wake wake;
   phase("convect");
@@ -196,12 +258,7 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tre
   // and the second moment, which strain without its pull on the centres would not.
   const bool strains = spreads && shape;
   if (spreads) spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
-  convect(
-      blobs,
-      [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* gradients) {
-        return advecting_velocity(b, at, p, p.flow.stream_at(p.time + after), gradients);
-      },
-      shape, p.scheme, p.dt, strains);
+  carry(blobs, p, shape, strains);
   if (spreads)
     spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
   else if (p.flow.nu > 0)
@@ -218,10 +275,9 @@ Wake step_in_one(Blobs& blobs, const Problem& p, std::uint64_t number, const tre
     if (adapted.all.size() > p.most_blobs) throw Multiplied(adapted.all.size());
     blobs = pack(adapted, shape);
   }
+  let_go(blobs, p);
   wake.outflow = p.outflow;
-  if (p.box) wake.outflow = wake.outflow + remove_outside(blobs, *p.box);
-  if (p.faintest > 0) wake.outflow = wake.outflow + remove_faint(blobs, p.faintest);
-  wake.outflow.drift(p.flow.way(p.time, p.dt));
+  wake.drifting = std::move(p.drifting);
   return wake;
 }
 
@@ -237,6 +293,7 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
     pressure += (1.0 / substeps) * wake.pressure;
     p.outflow = wake.outflow;
+    p.drifting = wake.drifting;
     p.time += p.dt;
   }
   wake.pressure = pressure;
@@ -244,9 +301,9 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
 }
 
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p) {
-  const FoldedBlobs at = fold(blobs, p.wall ? &p.wall->shape() : nullptr);
   const Vec2 stream = p.flow.stream_at(p.time);
-  if (p.wall) return with_sheet(points, blobs, at, p, stream).u;
+  if (p.wall) return with_sheet(points, blobs, p, stream).u;
+  const FoldedBlobs at = fold(blobs, nullptr);
   Velocities u(points.size());
   fmm::Plan(as_sources(blobs, at), at_points(p.sums))
       .velocity(fmm::Targets{points.x, points.y, {}}, u.u, u.v);

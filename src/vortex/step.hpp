@@ -9,6 +9,7 @@
 #include "tree/base/phase.hpp"
 #include "vortex/adapt/merge_close.hpp"
 #include "vortex/adapt/split_wide.hpp"
+#include "vortex/blobs/drifting.hpp"
 #include "vortex/blobs/invariants.hpp"
 #include "vortex/blobs/outflow.hpp"
 #include "vortex/transport/convect.hpp"
@@ -38,6 +39,8 @@ struct Flow {
 /// time      when the step begins; for velocity_at, now [s]
 /// box       blobs that leave it are taken away; so are those of no more circulation than
 ///           `faintest` [m^2/s], 0: none; `outflow` all that have left in the steps before
+/// drifting  beside a wall those that have left the box and are still felt, by wall and blobs; the
+///           body may feel as much as `unfelt` of a merger of them [m/s]
 /// wall      nullptr: free space
 /// most_blobs  a step that leaves more of them, or a substep, throws Multiplied
 /// advecting_cores  of a blob's core, that with which it advects others: 1, or sqrt(2), which in
@@ -61,6 +64,8 @@ struct Problem {
   std::optional<Box> box{};
   double faintest = 0;
   Outflow outflow{};
+  Drifting drifting{};
+  double unfelt = 1e-5;
   const Wall* wall = nullptr;
   fmm::Options sums;
 };
@@ -75,7 +80,8 @@ struct Problem {
 ///                 [m^3/s^2] (motion.hpp)
 /// friction        the same, at the end of the step
 /// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
-/// outflow         all that has left the box, to be handed to the next step
+/// outflow         all that has left the box, and `drifting` those of it that are still felt, to be
+///                 handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
@@ -83,6 +89,7 @@ struct Wake {
   Vec2 pressure, friction;
   double bubble_length = 0;
   Outflow outflow{};
+  Drifting drifting{};
 };
 
 /// Blobs multiply faster than they merge: more than Problem::most_blobs.

@@ -17,6 +17,14 @@ inline constexpr double faintest_kept = 1e-12;
 /// has coarser lattices (vortex/adapt/laying.hpp). From 0.02 to 0.1 a free vortex keeps its noise
 /// of 0.19 % and its bias, with 0.61 to 0.55 of the blobs; at 1 it has 0.4 %.
 inline constexpr double faint_vorticity = 0.05;
+/// What has left the box is felt whole until it is so many times as far as the box, then less and
+/// less, until so many times. Twice as far adds a seventh to the drifting vortices.
+inline constexpr double whole_until = 5, felt_until = 10;
+/// Drifting vortices merge if the body feels less of it than this share of its speed
+/// (vortex/blobs/drifting.hpp).
+inline constexpr double merged_unfelt = 1e-5;
+/// No more of them drift than so many.
+inline constexpr std::size_t most_drifting = 300;
 /// Blobs of which a frame still tells the energy, a sum over all pairs: 2e8 of them.
 inline constexpr std::size_t most_for_energy = 20'000;
 

@@ -28,15 +28,24 @@ struct Outflow {
   double of_both_signs = 0;
 
   void drift(Vec2 way) { moment = moment + gamma * way; }
+  void take_back(const Outflow& back) {
+    gamma -= back.gamma;
+    moment = moment - back.moment;
+    of_both_signs -= back.of_both_signs;
+  }
   friend Outflow operator+(const Outflow& a, const Outflow& b) {
     return {a.gamma + b.gamma, a.moment + b.moment, a.of_both_signs + b.of_both_signs};
   }
 };
 
-/// Takes all blobs outside the box away, and says what they were.
-Outflow remove_outside(Blobs& blobs, const Box& box);
+/// What these blobs are in the account.
+Outflow account_of(const Blobs& blobs);
 
-/// The same for blobs of no more circulation than `faintest`, of either sign [m^2/s].
+/// Takes all blobs outside the box away, and hands them out.
+Blobs take_outside(Blobs& blobs, const Box& box);
+
+/// Takes blobs of no more circulation than `faintest` away, of either sign [m^2/s], and says what
+/// they were.
 ///
 /// Where every step splits blobs, their children reach out faster than vorticity does: blobs of
 /// 1e-12 to 1e-120 U D soon outnumber all others, of which sums to a tolerance of 1e-6 feel
