@@ -1,31 +1,57 @@
-"""A body at incidence: lift and drag in time by both routes, and the means that are known."""
+"""Lift and drag in time by both routes, and what is known of them: a reference, or the means."""
 
 import numpy as np
-from _style import GREY, INK, Nothing, figure, main, note
+from _style import GREY, INK, Nothing, figure, interpolated, main, note, rms
+
+KNOWN = {"lift": "C_L", "drag": "C_D"}  # columns of a reference
 
 
 def draw(run):
     check = run.check
-    if not {"mean_lift", "lift_routes_max"} & set(check) or "strouhal" in check:
+    asked = {"mean_lift", "lift_routes_max", "lift_reference"} & set(check)
+    if not asked or "strouhal" in check:
         raise Nothing
     run.body
     T = run.report["T"]
-    shown = T >= check.get("routes_from", 0.5) - 1e-9
+    shown = T >= check.get("lift_from", check.get("routes_from", 0.5)) - 1e-9
     if shown.sum() < 2:
         raise Nothing
     fig = figure(7.2, 5.6, run.scene.get("title"))
-    for axes, short, name, known in zip(fig.subplots(2, 1, sharex=True), ("cl", "cd"),
-                                        ("lift  $C_L$", "drag  $C_D$"), ("mean_lift", "mean_drag")):
-        run.plot_routes(axes, short, lambda column: (T[shown], run.report[column][shown]))
-        axes.set_ylabel(name)
-        if known in check:
-            mean(axes, check, known, T, run.report[f"{short}_{run.route}"])
-        axes.legend(loc="upper right", ncol=2)
-        low, high = axes.get_ylim()
-        axes.set_ylim(low, high + 0.15 * (high - low))
+    for axes, force in zip(fig.subplots(2, 1, sharex=True), KNOWN):
+        panel(axes, run, force, T, shown)
     axes.set_xlim(T[shown][0], T[-1])
     axes.set_xlabel("time  $T = Ut/R$")
     return fig
+
+
+def panel(axes, run, force, T, shown):
+    short = f"c{force[0]}"
+    run.plot_routes(axes, short, lambda column: (T[shown], run.report[column][shown]))
+    axes.set_ylabel(f"{force}  ${KNOWN[force]}$")
+    if f"mean_{force}" in run.check:
+        mean(axes, run.check, f"mean_{force}", T, run.report[f"{short}_{run.route}"])
+    reference = run.reference(f"{force}_reference")
+    if reference:
+        compare(axes, reference["T"], reference[KNOWN[force]], force)
+    axes.legend(loc="upper right", ncol=1 if reference else 2)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.15 * (high - low))
+
+
+def compare(axes, at, known, force):
+    """As [check] does: drag relative to that at the time, lift to the largest."""
+    T = axes.lines[0].get_xdata()
+    for line in axes.lines[:2]:
+        exact = interpolated(at, known, T)
+        whole = exact if force == "drag" else np.nanmax(np.abs(exact))
+        off = 100 * (line.get_ydata() - exact) / whole
+        if np.isfinite(off).any():
+            line.set_label(f"{line.get_label()}: off by {rms(off):.2f} % rms, "
+                           f"{np.nanmax(np.abs(off)):.2f} % at most")
+    listed = np.flatnonzero((at >= T[0] - 1e-9) & (at <= T[-1] + 1e-9))
+    listed = listed[::max(1, listed.size // 30)]
+    axes.plot(at[listed], known[listed], "o", ms=3.4, mfc="white", mec=INK, mew=0.8, zorder=3,
+              label="reference")
 
 
 def mean(axes, check, known, T, values):

@@ -21,6 +21,8 @@ def draw(run):
     if is_slender(run) or "strouhal" in run.check:
         raise Nothing  # no closed wake
     report, reference = run.report, run.reference("drag_reference")
+    if reference and not {listed for _, listed, *_ in PANELS} <= set(reference):
+        reference = None  # it has forces alone
     T = report["T"]
     if T.size < 2 or not np.any(report["bubble_length"] > SHORTEST):
         raise Nothing

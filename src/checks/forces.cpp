@@ -49,6 +49,18 @@ Reached routes_apart(const HistoryRows& rows, std::optional<double> from, const 
   return {share(*apart.value, *most.value)};
 }
 
+/// A lift may pass through zero, so that what it is off is a share of the largest that is known.
+Deviation lift_off(const Finished& run, std::optional<double> from, const ReferenceCurve& known) {
+  const Reached most =
+      run.rows.largest(from, [&](std::size_t r) { return known.at(run.rows.T()[r]); });
+  const double whole = most.value.value_or(0);
+  return [off = off(run.rows, "cl_" + run.solver.route(), known, difference),
+          whole](std::size_t r) -> std::optional<double> {
+    const auto apart = off(r);
+    return apart ? std::optional(share(*apart, whole)) : std::nullopt;
+  };
+}
+
 std::string drag_of(const Finished& run) {
   return "cd_" + run.solver.route();
 }
@@ -93,6 +105,20 @@ void check_drag(std::vector<Verdict>& list, const Finished& run) {
     return rows.largest(c.separation_from,
                         off(rows, "separation_deg", {reference, "sep_deg"}, difference));
   });
+}
+
+void check_lift(std::vector<Verdict>& list, const Finished& run) {
+  const io::CheckSettings& c = run.scene.check;
+  if (!run.scales.body || !c.lift_reference) return;
+  if (io::lacks_reference(run.scene, *c.lift_reference)) {
+    add(list, "lift_error_max", c.lift_error_max, without_reference);
+    return add(list, "lift_error_rms", c.lift_error_rms, without_reference);
+  }
+  const io::Table reference(io::reference_path(run.scene, *c.lift_reference));
+  const Deviation lift = lift_off(run, c.lift_from, {reference, "C_L"});
+  add(list, "lift_error_max", c.lift_error_max,
+      [&] { return run.rows.largest(c.lift_from, lift); });
+  add(list, "lift_error_rms", c.lift_error_rms, [&] { return run.rows.rms(c.lift_from, lift); });
 }
 
 void check_early_drag(std::vector<Verdict>& list, const Finished& run) {

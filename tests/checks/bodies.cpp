@@ -75,6 +75,49 @@ TEST_CASE("drag, wake and separation are held against a reference, where it has 
   CHECK(off_by(INFINITY).missed());
 }
 
+TEST_CASE("lift is held against a reference, as a share of the largest at the times that count") {
+  // Through zero, and to 2 at T = 1, which counts only for who begins before it.
+  const auto known_lift = [](double T) { return 2 * std::sin(pi * T / 2) * std::exp(1 - T); };
+  std::string table = "T,C_L\n";
+  for (double T = 0; T < 4.005; T += 0.1) table += fmt::format("{},{}\n", T, known_lift(T));
+  const auto run = [&](const std::string& check, const Words& more = {}) {
+    Words overrides{"check.lift_reference=known.csv", "check." + check};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return MadeUpRun(cylinder_by_hand, overrides, {{"known.csv", table}});
+  };
+  double most = 0;
+  for (int k = 1; k <= 40; ++k) most = std::max(most, std::abs(known_lift(0.1 * k)));
+  for (const std::string check : {"lift_error_max", "lift_error_rms"})
+    for (const double off : {0.0, 0.01, -0.01, 0.03, -0.03, 1.0}) {
+      CAPTURE(check, off);
+      MadeUpRun made = run(check + "=0.02");
+      const auto verdict =
+          made.with("cl_impulse", [&](double t) { return known_lift(2 * t) + off * most; })
+              .verdict(60);
+      CHECK(*verdict.reached.value == Approx(std::abs(off)).margin(1e-12));
+      CHECK(verdict.passed() == (std::abs(off) < 0.02));
+    }
+  double late = 0;
+  for (int k = 25; k <= 40; ++k) late = std::max(late, std::abs(known_lift(0.1 * k)));
+  MadeUpRun from = run("lift_error_max=0.02", {"check.lift_from=2.5"});
+  from.with("cl_impulse", [&](double t) { return t < 1.24 ? 9 : known_lift(2 * t) + 0.01 * late; });
+  CHECK(*from.verdict(60).reached.value == Approx(0.01).epsilon(1e-9));
+  CHECK(from.verdict(20).reached.why == "the run ends at T = 2");
+  CHECK(run("lift_error_max=0.02").with("cl_impulse", NAN).verdict(60).missed());
+  CHECK(run("lift_error_rms=0.02").with("cl_impulse", INFINITY).verdict(60).missed());
+  MadeUpRun none = run("lift_error_max=0.02", {"check.lift_from=5"});
+  CHECK(none.verdict(60).reached.why == "the reference has no values for these times");
+}
+
+TEST_CASE("a lift of zero that is known is compared with as it is") {
+  std::string table = "T,C_L\n";
+  for (int k = 0; k <= 40; ++k) table += fmt::format("{},0\n", 0.1 * k);
+  MadeUpRun run(cylinder_by_hand, {"check.lift_reference=known.csv", "check.lift_error_max=0.02"},
+                {{"known.csv", table}});
+  CHECK(run.with("cl_impulse", -0.01).verdict(20).passed());
+  CHECK(run.with("cl_impulse", -0.03).verdict(20).missed());
+}
+
 TEST_CASE("one value that is not finite among good ones is missed, not passed over") {
   MadeUpRun run = held("drag_max=0.02", {"check.drag_reference=known.csv"});
   for (const double bad : {double(NAN), double(INFINITY)}) {
@@ -106,10 +149,12 @@ TEST_CASE("a reference without values at these times is said to have none") {
 }
 
 TEST_CASE("what is held against a reference that this Reynolds number lacks is not reached") {
-  for (const std::string check : {"drag_max", "drag_rms", "bubble_max", "separation_max_deg"}) {
+  for (const std::string check : {"drag_max", "drag_rms", "bubble_max", "separation_max_deg",
+                                  "lift_error_max", "lift_error_rms"}) {
+    const std::string force = check.starts_with("lift") ? "lift" : "drag";
     const checks::Verdict verdict =
-        held(check + "=0.02",
-             {"flow.nu=0.05", "flow.reynolds=20", "check.drag_reference='known_{reynolds}.csv'"})
+        held(check + "=0.02", {"flow.nu=0.05", "flow.reynolds=20",
+                               "check." + force + "_reference='known_{reynolds}.csv'"})
             .verdict(60);
     CHECK_FALSE(verdict.reached.value);
     CHECK(verdict.reached.why == "there is no reference for this Reynolds number");

@@ -88,8 +88,9 @@ RunFiles::RunFiles(const io::Scene& scene, const flow::Solver& solver,
 
 void RunFiles::require_outputs() const {
   std::vector<fs::path> inputs{scene_.origin.path};
-  for (const auto& reference : {scene_.check.drag_reference, scene_.check.wall_vorticity_reference,
-                                scene_.check.moments_reference})
+  for (const auto& reference :
+       {scene_.check.drag_reference, scene_.check.lift_reference,
+        scene_.check.wall_vorticity_reference, scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
   const auto tables = tables_.names();
   std::vector<std::string> names(tables.begin(), tables.end());

@@ -26,6 +26,9 @@ bool free_space(const Scene& s) {
 bool drag(const Scene& s) {
   return s.body && s.check.drag_reference;
 }
+bool lift(const Scene& s) {
+  return s.body && s.check.lift_reference;
+}
 bool wall(const Scene& s) {
   return s.body && s.check.wall_vorticity_reference;
 }
@@ -70,6 +73,7 @@ struct Prerequisite {
 
 using C = CheckSettings;
 constexpr std::string_view reference = "[body] and check.drag_reference";
+constexpr std::string_view lift_reference = "[body] and check.lift_reference";
 constexpr std::string_view known_field = "check.exact = \"lamb_oseen\" or \"spinning_cylinder\"";
 constexpr std::string_view known_vortices = "check.exact = \"taylor_green\"";
 constexpr std::string_view no_end = "a flow that does not fill the plane";
@@ -84,6 +88,8 @@ constexpr Prerequisite needs[] = {
     {"separation_max_deg", &C::separation_max_deg, drag, reference},
     {"wall_vorticity_max", &C::wall_vorticity_max, wall, wall_reference},
     {"wall_vorticity_rms", &C::wall_vorticity_rms, wall, wall_reference},
+    {"lift_error_max", &C::lift_error_max, lift, lift_reference},
+    {"lift_error_rms", &C::lift_error_rms, lift, lift_reference},
     {"lift_max", &C::lift_max, body, "[body]"},
     {"routes_max", &C::routes_max, body, "[body]"},
     {"lift_routes_max", &C::lift_routes_max, body, "[body]"},
@@ -144,6 +150,7 @@ const std::array references{
     Reference{"check.drag_reference",
               &C::drag_reference,
               {{"T"}, {"C_D"}, {"L_over_D", &C::bubble_max}, {"sep_deg", &C::separation_max_deg}}},
+    Reference{"check.lift_reference", &C::lift_reference, {{"T"}, {"C_L"}}},
     Reference{"check.wall_vorticity_reference",
               &C::wall_vorticity_reference,
               {{"T"}, {"theta_deg"}, {"omega_R_over_U"}}},
@@ -213,37 +220,44 @@ Key file(std::string_view name, std::optional<std::string>& target, std::string 
 }
 
 std::vector<Key> against_references(CheckSettings& c) {
-  return {file("drag_reference", c.drag_reference,
-               "CSV file of T and C_D, of L_over_D and sep_deg if they are checked; its place is "
-               "as seen from the scene's; `{reynolds}` in the name of a reference is the value of "
-               "`flow.reynolds`, and a flow that has no such file is not held against it"),
-          most("drag_max", c.drag_max, "drag: largest deviation, relative"),
-          most("drag_rms", c.drag_rms, "drag: root mean square of the deviation, relative"),
-          from("drag_from", c.drag_from, "drag counts from this T = 2 U t/D on, 0 if not written"),
-          most("early_drag_max", c.early_drag_max,
-               "mean drag until T = 0.1 off that of a circle in a sudden stream, which is known by "
-               "heart to 0.4 % at any Reynolds number from 20 on: deviation, relative"),
-          file("wall_vorticity_reference", c.wall_vorticity_reference,
-               "CSV file of T, theta_deg and omega_R_over_U"),
-          most("wall_vorticity_max", c.wall_vorticity_max,
-               "wall vorticity: largest relative L2 deviation along the wall of any time"),
-          most("wall_vorticity_rms", c.wall_vorticity_rms,
-               "wall vorticity: root mean square over the times of the same"),
-          from("wall_vorticity_from", c.wall_vorticity_from,
-               "wall vorticity counts from this T on, 0 if not written"),
-          most("bubble_max", c.bubble_max,
-               "length of the bubble behind the body: largest deviation, relative"),
-          from("bubble_from", c.bubble_from, "the bubble counts from this T on, 0 if not written"),
-          key("separation_max_deg", c.separation_max_deg, positive, "degrees",
-              "angle of separation: largest deviation"),
-          from("separation_from", c.separation_from,
-               "the angle counts from this T on, 0 if not written")};
+  return {
+      file("drag_reference", c.drag_reference,
+           "CSV file of T and C_D, of L_over_D and sep_deg if they are checked; its place is "
+           "as seen from the scene's; `{reynolds}` in the name of a reference is the value of "
+           "`flow.reynolds`, and a flow that has no such file is not held against it"),
+      most("drag_max", c.drag_max, "drag: largest deviation, relative"),
+      most("drag_rms", c.drag_rms, "drag: root mean square of the deviation, relative"),
+      from("drag_from", c.drag_from, "drag counts from this T = 2 U t/D on, 0 if not written"),
+      file("lift_reference", c.lift_reference,
+           "CSV file of T and C_L, which may be that of the drag"),
+      most("lift_error_max", c.lift_error_max,
+           "lift: largest deviation, relative to the largest lift of the reference at the "
+           "times that count"),
+      most("lift_error_rms", c.lift_error_rms, "lift: root mean square of the deviation, likewise"),
+      from("lift_from", c.lift_from, "lift counts from this T on, 0 if not written"),
+      most("early_drag_max", c.early_drag_max,
+           "mean drag until T = 0.1 off that of a circle in a sudden stream, which is known by "
+           "heart to 0.4 % at any Reynolds number from 20 on: deviation, relative"),
+      file("wall_vorticity_reference", c.wall_vorticity_reference,
+           "CSV file of T, theta_deg and omega_R_over_U"),
+      most("wall_vorticity_max", c.wall_vorticity_max,
+           "wall vorticity: largest relative L2 deviation along the wall of any time"),
+      most("wall_vorticity_rms", c.wall_vorticity_rms,
+           "wall vorticity: root mean square over the times of the same"),
+      from("wall_vorticity_from", c.wall_vorticity_from,
+           "wall vorticity counts from this T on, 0 if not written"),
+      most("bubble_max", c.bubble_max,
+           "length of the bubble behind the body: largest deviation, relative"),
+      from("bubble_from", c.bubble_from, "the bubble counts from this T on, 0 if not written"),
+      key("separation_max_deg", c.separation_max_deg, positive, "degrees",
+          "angle of separation: largest deviation"),
+      from("separation_from", c.separation_from,
+           "the angle counts from this T on, 0 if not written")};
 }
 
 std::vector<Key> of_forces(CheckSettings& c) {
   return {
-      most("lift_max", c.lift_max,
-           "largest lift coefficient, as it is, by either route"),
+      most("lift_max", c.lift_max, "largest lift coefficient, as it is, by either route"),
       most("routes_max", c.routes_max,
            "drag by impulse against drag by the wall: largest deviation, relative; of a body "
            "that plunges, to the largest drag"),

@@ -50,6 +50,8 @@ struct CheckSettings {
   std::optional<double> wall_vorticity_max{}, wall_vorticity_rms{}, wall_vorticity_from{};
   std::optional<double> bubble_max{}, bubble_from{};
   std::optional<double> separation_max_deg{}, separation_from{};
+  std::optional<std::string> lift_reference{};
+  std::optional<double> lift_error_max{}, lift_error_rms{}, lift_from{};
   std::optional<double> lift_max{};
   std::optional<double> routes_max{}, routes_from{}, lift_routes_max{};
   std::optional<ExactAnswer> exact{};

@@ -253,11 +253,13 @@ TEST_CASE("a reference whose notes tell another Reynolds number is doubted") {
   for (const char* note : {"# Re = U D / nu = 20, symmetric\n", "# solved for Re = 20; alone\n",
                            "# made by hand\n#\n# Re = 2e1\n"}) {
     box.write("known.csv", note + std::string("T,C_D\n"));
+    box.write("other.csv", "# Re = 30\nT,C_L\n");
     CHECK(doubts("seed=1").empty());
     REQUIRE(doubts("flow.reynolds=1e5").size() == 1);
     CHECK_THAT(doubts("flow.reynolds=1e5")[0],
                Contains("\"known.csv\": it says Re = 20, and the flow has 100000"));
     CHECK(doubts("flow.stream=[2,0]").empty());  // the viscosity follows
+    CHECK(doubts("check.lift_reference=other.csv").size() == 1);
   }
   for (const char* silent : {"", "# Re = many\n", "# where Re is known\n"}) {
     box.write("known.csv", silent + std::string("T,C_D\n"));
@@ -285,11 +287,12 @@ TEST_CASE("a reference file is a table with the columns that the check asks for"
   CHECK_THAT(refused_with({"check.bubble_max=0.1"}),
              EndsWith("no column L_over_D; the file has T, C_D"));
   CHECK_THAT(refused_with({"check.separation_max_deg=1"}), Contains("no column sep_deg"));
-  for (const std::string key : {"drag", "wall_vorticity", "moments"})
+  CHECK_THAT(refused_with({"check.lift_reference=known.csv"}),
+             EndsWith("no column C_L; the file has T, C_D"));
+  for (const std::string key : {"drag", "lift", "wall_vorticity", "moments"})
     CHECK(refused_with({"check." + key + "_reference=."}) ==
-          "command line: check." + key + "_reference=.: check." + key +
-              "_reference is \".\"; " + (box / ".").string() +
-              " is a folder; a file was expected");
+          "command line: check." + key + "_reference=.: check." + key + "_reference is \".\"; " +
+              (box / ".").string() + " is a folder; a file was expected");
   CHECK_THAT(refused_with({"check.wall_vorticity_reference=known.csv"}),
              Contains("no column theta_deg"));
   CHECK_THAT(refused_with({"check.moments_reference=known.csv"}), Contains("no column t;"));
@@ -304,6 +307,8 @@ TEST_CASE("what a check asks has something that it is held against, or is refuse
   };
   for (const char* key : {"drag_max", "drag_rms", "bubble_max", "separation_max_deg"})
     CHECK_THAT(asked(body, key), EndsWith("that needs [body] and check.drag_reference"));
+  for (const char* key : {"lift_error_max", "lift_error_rms"})
+    CHECK_THAT(asked(body, key), EndsWith("that needs [body] and check.lift_reference"));
   CHECK(asked(body, "strouhal_max") ==
         "command line: check.strouhal_max=0.01: check.strouhal_max is 0.01; that needs [body] and "
         "check.strouhal");
