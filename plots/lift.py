@@ -35,7 +35,7 @@ def panel(axes, run, force, T, shown):
         compare(axes, reference["T"], reference[KNOWN[force]], force)
     axes.legend(loc="upper right", ncol=1 if reference else 2)
     low, high = axes.get_ylim()
-    axes.set_ylim(low, high + 0.15 * (high - low))
+    axes.set_ylim(low, high + (0.3 if reference else 0.15) * (high - low))
 
 
 def compare(axes, at, known, force):

@@ -189,6 +189,93 @@ def cost_of_a_particle():
                 for one, two in zip(rows[0::2], rows[1::2])])
 
 
+ACCURACY = "cases/accuracy.md"
+
+
+def accuracy_by_case():
+    """Lines of accuracy.csv by case, and in it by accuracy, quantity and first T."""
+    found = {}
+    for row in read("plots/gallery/accuracy/accuracy.csv"):
+        of_case = found.setdefault(row["case"], {})
+        of_case.setdefault(row["accuracy"], {})[row["quantity"], row["from"]] = row
+    return found
+
+
+def hold_side(where, cell, mean):
+    """Too high or too low by so much."""
+    hold(where, cell, [abs(float(mean))])
+    if cell.strip().endswith("high") != (float(mean) > 0):
+        failed.append(f"{where}: {cell.strip()!r}, but the file has {mean}")
+
+
+def drag_and_lift_off():
+    """Each run: cases/accuracy.md."""
+    runs = {(case, accuracy): told for case, of_case in accuracy_by_case().items()
+            for accuracy, told in of_case.items() if ("drag", "0.2") in told}
+    rows = table(ACCURACY, "| flow | T to |")
+    if len(rows) != len(runs):
+        failed.append(f"{ACCURACY}: {len(rows)} runs, not {len(runs)}")
+    for ((case, accuracy), told), cells in zip(runs.items(), rows):
+        where = f"{ACCURACY}: {case}, {accuracy}"
+        drag, late, lift = told["drag", "0.2"], told["drag", "0.5"], told["lift", "0.2"]
+        if f"`{case}`" not in cells[0]:
+            failed.append(f"{where}: stands for {cells[0]}")
+        hold_side(where, cells[6], drag["mean"])
+        for cell, value in zip(cells[1:6] + cells[7:], (
+                drag["to"], accuracy, drag["largest"], drag["at"], drag["rms"], late["largest"],
+                lift["largest"], lift["rms"], drag["particles"], drag["processor_seconds"])):
+            hold(where, cell, [value])
+
+
+LAW = (("drag", "0.2", "rms"), ("drag", "0.5", "largest"), ("drag", "0.2", "largest"),
+       ("lift", "0.2", "rms"), ("lift", "0.2", "largest"))
+
+
+def error_no_more_than_accuracy():
+    """In how many runs, and which are not among them: cases/accuracy.md."""
+    runs = [(case, accuracy, told) for case, of_case in accuracy_by_case().items()
+            for accuracy, told in of_case.items() if ("drag", "0.2") in told]
+    for cells, (quantity, start, name) in zip(table(ACCURACY, "| error | kept"), LAW):
+        where = f"{ACCURACY}: {cells[0].strip()}"
+        over = [(case, accuracy) for case, accuracy, told in runs
+                if float(told[quantity, start][name]) > float(accuracy)]
+        hold(where, cells[1], [len(runs) - len(over), len(runs)])
+        hold(where, cells[2], [accuracy for _, accuracy in over])
+        if re.findall("`(.+?)`", cells[2]) != list(dict.fromkeys(case for case, _ in over)):
+            failed.append(f"{where}: not kept by {over}")
+
+
+SLOPES = (("drag", "0.2", "largest"), ("drag", "0.2", "rms"), ("drag", "0.5", "largest"),
+          ("drag", "0.5", "rms"), ("lift", "0.2", "largest"), ("lift", "0.2", "rms"))
+
+
+def slopes_of_accuracy():
+    """By accuracy, and of seconds: cases/accuracy.md."""
+    rows = {re.search("`(.+?)`", cells[0])[1]: cells for cells in table(ACCURACY, "| flow | drag")}
+    found = accuracy_by_case()
+    if set(rows) != {case for case in found if case != "gaussian_ellipse"}:
+        failed.append(f"{ACCURACY}: slopes of {sorted(rows)}")
+    for case, cells in rows.items():
+        told = found[case]
+        slopes = [order(told, [run[quantity, start][name] for run in told.values()])
+                  for quantity, start, name in SLOPES]
+        slopes.append(-order(told, [run["drag", "0.2"]["processor_seconds"]
+                                    for run in told.values()]))
+        for cell, slope in zip(cells[1:], slopes):
+            hold(f"{ACCURACY}: slopes of {case}", cell, [slope] if slope >= 0.05 else [])
+
+
+def quadrupole_by_accuracy():
+    told = accuracy_by_case()["gaussian_ellipse"]
+    rows = [run["quadrupole", "0"] for run in told.values()]
+    errors = [row["largest"] for row in rows]
+    hold_table(ACCURACY, "| accuracy | quadrupole",
+               [[[row["accuracy"]], [row["largest"]], [row["particles"]],
+                 [row["processor_seconds"]]] for row in rows]
+               + [[None, [order(told, errors)], [],
+                   [-order(told, [row["processor_seconds"] for row in rows])]]])
+
+
 def vortices_by_sph():
     """The sweeps of taylor_green, uniform and with a finer disc: cases/README.md."""
     uniform, disc = read("cases/taylor_green.csv"), read("cases/taylor_green_disc.csv")
@@ -247,6 +334,8 @@ def cylinder_at_550(found, asked):
 # What is told in the third column of the tables of scenes: None for a number that is no deviation.
 TOLD = {
     "ellipse": ("routes_max", "lift_routes_max"),
+    "ellipse_re400": ("drag_max", "drag_rms", "lift_error_max", "lift_error_rms"),
+    "plunging_cylinder": ("drag_max", "drag_rms", "lift_error_max", "lift_error_rms"),
     "naca0012": (None, None, None, None, "lift_routes_max", "routes_max"),
     "oscillating_cylinder": ("morison_drag_max", "morison_mass_max", "routes_max"),
     "spinning_cylinder": ("velocity_max", "lift_max"),
@@ -315,6 +404,10 @@ held_against_the_reference()
 accuracy_by_second()
 long_runs()
 what_is_paid_for()
+drag_and_lift_off()
+error_no_more_than_accuracy()
+slopes_of_accuracy()
+quadrupole_by_accuracy()
 cost_of_a_particle()
 vortices_by_sph()
 beside_another_code()
