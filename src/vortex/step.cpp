@@ -49,12 +49,15 @@ Blobs felt(const Problem& p) {
   return p.box ? felt(p.drifting, *p.box) : Blobs{};
 }
 
+void append(Blobs& blobs, const Blobs& more) {
+  for (std::size_t i = 0; i < more.size(); ++i)
+    blobs.append(more.centre(i), more.gamma[i], more.core(i));
+}
+
 /// The blobs, and after them those that have left and are felt.
 Blobs with_drifting(const Blobs& blobs, const Problem& p) {
   Blobs all = blobs;
-  const Blobs drifting = felt(p);
-  for (std::size_t i = 0; i < drifting.size(); ++i)
-    all.append(drifting.centre(i), drifting.gamma[i], drifting.core(i));
+  append(all, felt(p));
   return all;
 }
 
@@ -111,9 +114,8 @@ struct AtRest {
 
 /// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
 /// blobs and sheet together.
-AtRest with_sheet(tree::Points points, const Blobs& inside, const Problem& p, Vec2 stream) {
-  const Blobs blobs = with_drifting(inside, p);
-  const FoldedBlobs at = fold(blobs, &p.wall->shape());
+AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
+                  Vec2 stream) {
   AtRest result{{}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
   const fmm::Plan plan(as_sources(blobs, at), at_points(p.sums));
@@ -139,13 +141,14 @@ void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, doub
 }
 
 Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
-  const FoldedBlobs at = fold(blobs, &p.wall->shape());
+  const Blobs all = with_drifting(blobs, p);
+  const FoldedBlobs at = fold(all, &p.wall->shape());
   Wake wake;
   const bool stream = dot(p.flow.stream, p.flow.stream) > 0;
   const flow::WakeLine line =
       stream ? flow::wake_line(p.wall->middles(), p.wall->shape(), p.flow.stream)
              : flow::WakeLine{};
-  AtRest at_rest = with_sheet(line.points(), blobs, p, p.flow.stream_at(time));
+  AtRest at_rest = with_sheet(line.points(), all, at, p, p.flow.stream_at(time));
   wake.sheet = std::move(at_rest.sheet);
   wake.bubble_length = flow::bubble_length(line, at_rest.u.u, at_rest.u.v);
   wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.outflow.moment;
@@ -202,22 +205,22 @@ Wake start(Blobs& blobs, const Problem& p) {
 
 namespace {
 
-/// Carries all for a step. Those that drift go with the stream alone; what others would have carried
-/// them beyond it belongs to the moment of what has left all the same: it is what these others, and
-/// the sheet, are carried by them, the other way, and no force on the body.
+/// Carries all for a step. Those that drift go with the stream alone; what the others would have
+/// carried them beyond it belongs to the moment of what has left all the same: so much do they
+/// carry the others and the sheet the other way, and that is no force on the body.
 void carry(Blobs& blobs, Problem& p, const body::Shape* shape, bool strains) {
   const Vec2 way = p.flow.way(p.time, p.dt);
   const std::size_t inside = blobs.size();
-  const Blobs from = with_drifting(blobs, p);
-  blobs = from;
+  const Blobs drifting = felt(p);
+  append(blobs, drifting);
   convect(
       blobs,
       [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* gradients) {
         return advecting_velocity(b, at, p, p.flow.stream_at(p.time + after), gradients);
       },
       shape, p.scheme, p.dt, strains);
-  for (std::size_t i = inside; i < from.size(); ++i)
-    p.outflow.moment += from.gamma[i] * (blobs.centre(i) - from.centre(i) - way);
+  for (std::size_t i = 0; i < drifting.size(); ++i)
+    p.outflow.moment += drifting.gamma[i] * (blobs.centre(inside + i) - drifting.centre(i) - way);
   blobs.resize(inside);
   p.outflow.drift(way);
   if (p.box) drift(p.drifting, way, 4 * p.flow.nu * p.dt, *p.box);
@@ -234,8 +237,7 @@ double radius_of(const Wall& wall) {
 void exchange_with_drifting(Blobs& blobs, const Blobs& left, Problem& p) {
   const Blobs back = come_back(p.drifting, *p.box);
   p.outflow.take_back(account_of(back));
-  for (std::size_t i = 0; i < back.size(); ++i)
-    blobs.append(back.centre(i), back.gamma[i], back.core(i));
+  append(blobs, back);
   take(p.drifting, left);
   merge_drifting(p.drifting, radius_of(*p.wall), p.unfelt);
 }
@@ -302,8 +304,9 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
 
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p) {
   const Vec2 stream = p.flow.stream_at(p.time);
-  if (p.wall) return with_sheet(points, blobs, p, stream).u;
-  const FoldedBlobs at = fold(blobs, nullptr);
+  const Blobs all = with_drifting(blobs, p);
+  const FoldedBlobs at = fold(all, p.wall ? &p.wall->shape() : nullptr);
+  if (p.wall) return with_sheet(points, all, at, p, stream).u;
   Velocities u(points.size());
   fmm::Plan(as_sources(blobs, at), at_points(p.sums))
       .velocity(fmm::Targets{points.x, points.y, {}}, u.u, u.v);

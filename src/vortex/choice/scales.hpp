@@ -21,8 +21,9 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 
 /// How many times as many blobs merging.tolerance leaves as the one that goes with the cores (past
 /// a body U (sigma_max/layer)^2/16, in a free vortex of half width w 0.014 vorticity
-/// sigma_max^2/w): as 1/sqrt(tolerance), 1 to 1000; 1 for 0, with which nothing merges. Tolerances of 1/10, 1/100
-/// and 1/1000 left 3.6, 10 and 31 times as many in a free vortex. 1 where there are no children.
+/// sigma_max^2/w): as 1/sqrt(tolerance), 1 to 1000; 1 for 0, with which nothing merges. Tolerances
+/// of 1/10, 1/100 and 1/1000 left 3.6, 10 and 31 times as many in a free vortex. 1 where there are
+/// no children.
 [[nodiscard]] double crowding(const VortexCase& scene);
 
 /// By how much vorticity turns in a step [rad]: 2 U dt/layer at the wall, half its vorticity times

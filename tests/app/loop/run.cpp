@@ -117,6 +117,9 @@ frames = 1e9
 )");
   folder.write("same_run.py", same_run);
   CHECK(call("run foil.toml --out halved time.end=0.2", folder).code == 0);
+  const std::string half = text_of(folder / "halved/summary.json");
+  CHECK(half.find("\"drifting\": 0.0") == std::string::npos);  // some have left the box
+  CHECK(half.find("\"drifting\": ") != std::string::npos);
   CHECK(fs::remove(folder / "halved/outline.csv"));
   const auto resumed = call("run foil.toml --out halved --resume", folder);
   CAPTURE(resumed.err);
@@ -124,6 +127,8 @@ frames = 1e9
   CHECK(call("run foil.toml --out whole", folder).code == 0);
   CHECK(text_of(folder / "halved/outline.csv") == text_of(folder / "whole/outline.csv"));
   CHECK(shell("/usr/bin/python3 same_run.py halved whole", folder).out == "True\n");
+  CHECK(call("run foil.toml --out threads --threads 2", folder).code == 0);
+  CHECK(shell("/usr/bin/python3 same_run.py threads whole", folder).out == "True\n");
   CHECK(call("run foil.toml --out halved --resume plunge.amplitude=0.2", folder).code == 2);
 }
 
