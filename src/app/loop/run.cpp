@@ -234,8 +234,8 @@ RunResult Run::finish() {
 void require_run(const fs::path& folder) {
   std::error_code error;
   if (!fs::exists(folder / "frames.h5", error))
-    throw io::InputError(fmt::format("{} holds no run to go on with; without --resume it begins",
-                                     folder.string()));
+    throw io::InputError(
+        fmt::format("{} holds no run to go on with; without --resume it begins", folder.string()));
 }
 
 /// A run that is resumed keeps the step that was chosen for it, whatever its end is by now.
