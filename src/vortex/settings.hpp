@@ -60,7 +60,8 @@ struct SplittingSettings {
 };
 
 /// tolerance 0: blobs never merge. reach is in cores; merged sigma^2 <= cap sigma_max^2. Blobs that
-/// leave the box [x0, y0, x1, y1] are taken away and accounted for (vortex/blobs/outflow.hpp).
+/// leave the box [x0, y0, x1, y1] are taken away and accounted for (vortex/blobs/outflow.hpp);
+/// beside a body they drift on and are felt (vortex/blobs/drifting.hpp).
 struct MergingSettings {
   double tolerance = 0.02;
   double reach = 2;

@@ -19,9 +19,10 @@ namespace vortree::vortex {
 /// them, blobs would pass through it at u_drifting (cylinder_re100 to t = 60: Strouhal number 2 %,
 /// drag 1.4 % and lift by a fourth off a box to x = 200, instead of 0.02, 0.01 and 0.3 %).
 ///
-/// A vortex that leaves keeps place, circulation and core, so that nothing jumps. From
-/// `whole_until` to `felt_until` times as far as the box less and less of it is felt, linearly: of
-/// one that ceased there at once the body would miss gamma/(2 pi L) in one step.
+/// A vortex that leaves keeps place, circulation and core, so that nothing jumps. Beyond
+/// `whole_until` times as far as the box less and less of it is felt, linearly, and from
+/// `felt_until` times on nothing: of one that ceased at once the body would miss gamma/(2 pi L) in
+/// one step.
 ///
 /// x, y    [m], from the body's centre; gamma [m^2/s], never 0
 /// sigma   core [m], with which they act upon blobs: it holds all that was merged

@@ -18,10 +18,11 @@ struct Box {
 ///
 ///   d moment/dt = gamma stream.
 ///
-/// It still counts for Kelvin's theorem and for the impulse, so that neither body nor forces notice
-/// that blobs leave, but is felt nowhere: of a wake that sheds gamma_s of either sign, h apart,
-/// every l of way the body misses a velocity of about gamma_s h/(2 pi l L), L its distance.
-/// (As two vortices far behind, one of each sign, it would drive itself back to the body.)
+/// It still counts for Kelvin's theorem and for the impulse. Beside a body those that are not yet
+/// far are felt, too, and what carries them beyond the stream is added (drifting.hpp). The others
+/// are felt nowhere: of a wake that sheds gamma_s of either sign, h apart, every l of way the body
+/// misses a velocity of about gamma_s h/(2 pi l L), L their distance. (As two vortices far behind,
+/// one of each sign, they would drive themselves back to the body.)
 struct Outflow {
   double gamma = 0;
   Vec2 moment;

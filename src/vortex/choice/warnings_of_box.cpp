@@ -44,11 +44,12 @@ flow::Warnings warnings_of_box(const VortexCase& scene) {
     if (out * box[side] < out * edge) right[side] = edge;
   }
   if (right == box) return {};
-  return {fmt::format(
-      "merging.box = [{:.4g}, {:.4g}, {:.4g}, {:.4g}] takes vorticity away that the body still "
-      "feels: the drag will be off by percents, or many times too large; [{:.3g}, {:.3g}, "
-      "{:.3g}, {:.3g}] keeps it to 1 %",
-      box[0], box[1], box[2], box[3], right[0], right[1], right[2], right[3])};
+  return {
+      fmt::format("merging.box = [{:.4g}, {:.4g}, {:.4g}, {:.4g}] lets vorticity drift whose way "
+                  "the body still "
+                  "feels: the drag will be off by percents, or twice as large; [{:.3g}, {:.3g}, "
+                  "{:.3g}, {:.3g}] keeps it to 1 %",
+                  box[0], box[1], box[2], box[3], right[0], right[1], right[2], right[3])};
 }
 
 }  // namespace vortree::vortex

@@ -82,11 +82,11 @@ TEST_CASE("a box that takes away what the body feels is named, with one that doe
   const auto doubts = [](const std::string& box, const std::string& more) {
     return doubted({"flow.reynolds=550", "time.end=1.5", "merging.box=" + box, more});
   };
-  // Measured: drag 21, 1.8, 1.3 and 1.6 where 1.13 is right.
+  // Measured: the drag is off by 94 and 13 % with the first two.
   for (const char* near :
        {"[-0.5,-0.5,0.5,0.5]", "[-0.6,-0.6,0.6,0.6]", "[-1,-0.6,3,0.6]", "[-2,-2,0.6,2]"})
     CHECK(about(doubts(near, "seed=1"), "merging.box"));
-  CHECK(about(doubts("[-1,-1,1.3,1]", "time.end=3.5"), "merging.box"));  // 25 % at t = 2.1
+  CHECK(about(doubts("[-1,-1,1.3,1]", "time.end=3.5"), "merging.box"));  // 3.6 %
   CHECK(doubts("[-0.6,-0.75,1.4,0.75]", "seed=1").empty());
   CHECK(about(doubts("[-0.6,-0.75,1.4,0.75]", "flow.stream=[0,1]"), "merging.box"));
   CHECK(doubts("[-0.75,-0.6,0.75,1.4]", "flow.stream=[0,1]").empty());
