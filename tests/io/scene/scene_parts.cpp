@@ -24,7 +24,7 @@ TEST_CASE("an accuracy chooses what is not written, and only that") {
   const Scene finer = parse("accuracy = 0.0025\n" + rest);
   CHECK(own(finer).cores.sigma_max == Approx(own(scene).cores.sigma_max / 2));
   CHECK(finer.time.dt < scene.time.dt);
-  CHECK(own(finer).merging.tolerance == Approx(own(scene).merging.tolerance / 2));
+  CHECK(own(finer).merging.tolerance == Approx(own(scene).merging.tolerance / 4));
   CHECK(own(finer).velocity.tolerance < own(scene).velocity.tolerance);
   CHECK(finer.body->panels > scene.body->panels);
   const Scene written = parse("accuracy = 0.01\n" + rest, {"time.dt=0.001", "body.panels=99"});
