@@ -24,14 +24,15 @@ std::vector<Key> keys(SplittingSettings& splitting) {
 }
 
 std::vector<Key> keys(MergingSettings& merging) {
-  return {key("tolerance", merging.tolerance, not_negative, "L/T",
-              "error of velocity that a merger may make; 0: blobs never merge"),
-          key("reach", merging.reach, positive, "cores",
-              "partners are closer than so many of the smaller core"),
-          key("cap", merging.cap, positive, "", "a merged blob has sigma^2 <= cap sigma_max^2"),
-          key("box", merging.box, anything, "L",
-              "[x0, y0, x1, y1]: blobs that leave it are taken away; `summary.json` says how much "
-              "they were")};
+  return {
+      key("tolerance", merging.tolerance, not_negative, "L/T",
+          "error of velocity that a merger may make; 0: blobs never merge"),
+      key("reach", merging.reach, positive, "cores",
+          "partners are closer than so many of the smaller core"),
+      key("cap", merging.cap, positive, "", "a merged blob has sigma^2 <= cap sigma_max^2"),
+      key("box", merging.box, anything, "L",
+          "[x0, y0, x1, y1]: blobs that leave it are taken away, and beside a body drift on as a "
+          "few vortices; `summary.json` says how much they were")};
 }
 
 std::vector<Key> keys(DiffusionSettings& diffusion) {
