@@ -59,9 +59,19 @@ std::string difference(const io::Scene& a, const io::Scene& b) {
   return dot == std::string::npos ? name : fmt::format("[{}]", name.substr(0, dot));
 }
 
+/// What scenes were like before they knew of a key: blobs were split into rings.
+std::vector<std::string> before_its_keys(std::string_view resolved) {
+  const std::size_t table = resolved.find("[splitting]\n");
+  if (table == std::string_view::npos) return {};
+  const std::string_view rest = resolved.substr(table);
+  const bool known = rest.substr(0, rest.find("\n[")).find("\nscheme") != std::string_view::npos;
+  return known ? std::vector<std::string>{} : std::vector<std::string>{"splitting.scheme=ring"};
+}
+
 io::Scene stored_scene(const io::RunInfo& info, const fs::path& file, const io::Scene& now) {
   try {
-    return io::parse_scene(info.resolved, now.origin.path, now.methods);
+    return io::parse_scene(info.resolved, now.origin.path, now.methods,
+                           before_its_keys(info.resolved));
   } catch (const io::InputError& error) {
     throw io::InputError(
         fmt::format("{}: the scene stored in it is none: {}", file.string(), error.what()));
@@ -129,8 +139,8 @@ io::Frame RunFiles::last_frame() const {
   const io::Scene was = stored_scene(found.info, file, scene_);
   if (const std::string where = difference(was, scene_); !where.empty())
     throw io::InputError(
-        fmt::format("{}: was run with another {} than {} has now; only time.end, "
-                    "[output] and [check] may change on the way",
+        fmt::format("{}: was run with another {} than {} has now, or than this version "
+                    "chooses; only time.end, [output] and [check] may change on the way",
                     file.string(), where, scene_.origin.path.string()));
   require_time_of_step(*found.last, scene_.time.dt, file);
   return *std::move(found.last);

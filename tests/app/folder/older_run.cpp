@@ -118,6 +118,25 @@ TEST_CASE("frames that are damaged where they tell of their run are named, not t
   }
 }
 
+TEST_CASE("a run of a time when blobs were split into rings goes on with rings, and says so") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", vortex);
+  REQUIRE(call("run vortex.toml time.end=0.4 splitting.scheme=ring --out r", folder).code == 0);
+  const std::string without_scheme =
+      "import re; a = f.attrs; t = a['resolved']; t = t if isinstance(t, str) else t.decode(); "
+      "a['resolved'] = "
+      "__import__('numpy').bytes_(re.sub('\\nscheme = .ring.', '', t).encode())";
+  change_frames(without_scheme, folder);
+  change_frames("del f.attrs['checksum']", folder);
+  const auto lattice = call("run vortex.toml --resume --out r", folder);
+  CHECK(lattice.code == 2);
+  CHECK(lattice.err.find("another [splitting] than vortex.toml has now") != std::string::npos);
+  const auto rings = call("run vortex.toml splitting.scheme=ring --resume --out r", folder);
+  CAPTURE(rings.err);
+  CHECK(rings.code == 0);
+}
+
 TEST_CASE("a step that is not that of the frames' times is refused, with or without a checksum") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
