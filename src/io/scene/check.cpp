@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <initializer_list>
 #include <string_view>
@@ -161,13 +163,29 @@ const std::array references{
                {"quadrupole_xy", &C::quadrupole_max},
                {"separation", &C::separation_max}}}};
 
-/// throws  InputError: no such file, no table, no such column
+/// Row after row later than the one before; of places along a wall there are many rows a time.
+void require_course(const std::vector<double>& times, std::string_view name, bool many_at_once) {
+  for (std::size_t k = 1; k < times.size(); ++k)
+    if (!(times[k] > times[k - 1] || (many_at_once && times[k] == times[k - 1])))
+      throw InputError(fmt::format("{} = {:g} comes after {} = {:g}: times must increase", name,
+                                   times[k], name, times[k - 1]));
+}
+
+void require_values(const std::vector<double>& values, std::string_view name) {
+  if (!values.empty() &&
+      std::ranges::none_of(values, [](double value) { return std::isfinite(value); }))
+    throw InputError(fmt::format("the column {} has no number", name));
+}
+
+/// throws  InputError: no such file, no table, no such column, none of it or in no order
 void read_columns(const std::filesystem::path& path, const Reference& reference,
                   const CheckSettings& check) {
   require_reference_file(path);
   const Table table(path);
   for (const auto& [name, asked] : reference.columns)
-    if (!asked || check.*asked) (void)table.column(name);
+    if (!asked || check.*asked) require_values(table.column(name), name);
+  const std::string_view time = reference.columns.front().name;
+  require_course(table.column(time), time, reference.columns[1].name == "theta_deg");
 }
 
 void require_reference(const Document& document, const Scene& scene, const Reference& reference) {

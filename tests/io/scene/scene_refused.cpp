@@ -282,6 +282,15 @@ TEST_CASE("a reference file is a table with the columns that the check asks for"
   CHECK(refused_with({}) == at + ":2: 2 cells; 1 columns were expected");
   box.write("known.csv", "T,C_L\n1,2\n");
   CHECK(refused_with({}) == at + ": there is no column C_D; the file has T, C_L");
+  for (const std::string none : {"T,C_D\n1,nan\n2,nan\n", "T,C_D\n1,inf\n"}) {
+    box.write("known.csv", none);
+    CHECK_THAT(refused_with({}), Contains("has no number"));
+  }
+  for (const std::string order :
+       {"T,C_D\n1,2\n1,2\n", "T,C_D\n2,2\n1,2\n", "T,C_D\n1,2\nnan,2\n"}) {
+    box.write("known.csv", order);
+    CHECK_THAT(refused_with({}), Contains("times must increase"));
+  }
   box.write("known.csv", "T,C_D\n1,2\n");
   CHECK(load_scene(path, by_vortices()).check.drag_reference == "known.csv");
   CHECK_THAT(refused_with({"check.bubble_max=0.1"}),
