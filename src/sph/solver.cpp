@@ -94,11 +94,12 @@ void SphSolver::step(const tree::Phase& phase) {
   const double end = static_cast<double>(steps_ + 1) * setup_.dt;
   const double begin = time_;
   const Checkpoint before_step = checkpoint();
-  Traction before = traction(), given{};
+  Traction before = traction_, given{};
   try {
-    while (end - time_ > 1e-9 * setup_.dt) {
-      const double dt = next_dt(end - time_);
-      substep(dt, phase);
+    while (time_ < end) {
+      const double left = end - time_, dt = next_dt(left);
+      // All that is looked at then is of this very time, as it is where a run goes on.
+      substep(dt, left - dt > 1e-9 * setup_.dt ? time_ + dt : end, phase);
       const Traction now = traction();
       // There is none of an impulsive start.
       if (substeps_ == 1) before = now;
@@ -112,7 +113,7 @@ void SphSolver::step(const tree::Phase& phase) {
     go_back(before_step);
     throw flow::Diverged(failed.what());
   }
-  time_ = end;
+  traction_ = before;
   ++steps_;
   phase("output");
   const double took = end - begin;
@@ -164,7 +165,7 @@ double SphSolver::next_dt(double left) const {
   return left / (few > 5 ? few : parts(2 * last_dt_));
 }
 
-void SphSolver::substep(double dt, const tree::Phase& phase) {
+void SphSolver::substep(double dt, double later, const tree::Phase& phase) {
   const TimeStep step{dt, last_dt_ > 0 ? dt / last_dt_ : 0};
   phase("move");
   filter_edges(cloud_, stencils_, slopes_, setup_.operators, edge_filter);
@@ -181,7 +182,7 @@ void SphSolver::substep(double dt, const tree::Phase& phase) {
   stencils_.fit(cloud_, setup_.operators);
   iterations_ = momentum_.solve(cloud_, stencils_, setup_.operators,
                                 {.step = step,
-                                 .later = time_ + dt,
+                                 .later = later,
                                  .ambient = setup_.ambient,
                                  .far_field = setup_.far_field ? &far_field_ : nullptr,
                                  .wall_vorticity = wall_vorticity_,
@@ -189,7 +190,7 @@ void SphSolver::substep(double dt, const tree::Phase& phase) {
                                  .tolerance = setup_.tolerance},
                                 phase);
   phase("slopes");
-  time_ += dt, last_dt_ = dt, ++substeps_;
+  time_ = later, last_dt_ = dt, ++substeps_;
   look();
 }
 

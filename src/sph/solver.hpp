@@ -93,7 +93,7 @@ class SphSolver final : public flow::Solver {
   void start();
   void start_past_body();
   void start_periodic_flow();
-  void substep(double dt, const tree::Phase& phase);
+  void substep(double dt, double later, const tree::Phase& phase);
   double next_dt(double left) const;
   void renew_particles();
   void look();
@@ -117,6 +117,7 @@ class SphSolver final : public flow::Solver {
   double time_ = 0, last_dt_ = 0;
   long steps_ = 0, substeps_ = 0;
   Iterations iterations_;
+  Traction traction_;  // now
   flow::Force force_;
   flow::Measures measures_;
   double drift_ = 0;

@@ -65,6 +65,7 @@ void SphSolver::restore(long steps, const flow::Columns& columns, const flow::St
   smooth_pressure_.mean_of_means = saved_pair("mean_pressure_apart");
   stencils_.renew(cloud_, setup_.operators);
   look();
+  traction_ = traction();
   force_ = {.t = time(),
             .impulse = saved_pair("impulse_given"),
             .pressure = saved_pair("mean_pressure_force"),

@@ -39,8 +39,8 @@ class UnitPotentials {
   [[nodiscard]] Vec2 dipole(Axis axis) const { return dipole_[axis]; }
 
  private:
-  std::unique_ptr<const fmm::Plan>
-      sources_[2];  // as vortices, whose velocity is turned by 90 degrees
+  // As vortices, whose velocity is turned by 90 degrees.
+  std::unique_ptr<const fmm::Plan> sources_[2];
   Vec2 dipole_[2];
 };
 

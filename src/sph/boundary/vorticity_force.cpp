@@ -26,8 +26,7 @@ VorticityForce::VorticityForce(const body::Shape& shape, const std::vector<Vec2>
   for (const auto axis : {UnitPotentials::along_x, UnitPotentials::along_y}) {
     potentials_->gradient(axis, {x, y}, phi_x, phi_y);
     for (std::size_t k = 0; k < wall.size(); ++k)
-      of_[axis].dphi_ds.push_back(normal_[k].x * phi_y[k] - normal_[k].y * phi_x[k]);
-    of_[axis].dipole = potentials_->dipole(axis);
+      dphi_ds_[axis].push_back(normal_[k].x * phi_y[k] - normal_[k].y * phi_x[k]);
   }
 }
 
@@ -39,13 +38,13 @@ Vec2 VorticityForce::operator()(const BiotSavart& far_field,
   double along[2] = {0, 0};
   for (const auto axis : {UnitPotentials::along_x, UnitPotentials::along_y}) {
     potentials_->gradient(axis, {vortices.x, vortices.y}, phi_x, phi_y);
-    double sum = -dot(acceleration, of_[axis].dipole);
+    double sum = -dot(acceleration, potentials_->dipole(axis));
     for (std::size_t k = 0; k < phi_x.size(); ++k)
       sum += vortices.gamma[k] * (vortices.v[k] * phi_x[k] - vortices.u[k] * phi_y[k]);
     for (std::size_t k = 0; k < normal_.size(); ++k) {
       const double omega = wall_vorticity[k],
                    n = axis == UnitPotentials::along_x ? normal_[k].x : normal_[k].y;
-      sum += step_ * omega * (step_ * step_ / 12 * omega * n - nu * of_[axis].dphi_ds[k]);
+      sum += step_ * omega * (step_ * step_ / 12 * omega * n - nu * dphi_ds_[axis][k]);
     }
     along[axis] = sum;
   }

@@ -38,14 +38,9 @@ class VorticityForce {
                                 Vec2 acceleration) const;
 
  private:
-  struct Wall {
-    std::vector<double> dphi_ds;
-    Vec2 dipole;
-  };
-
   double step_ = 0;
   std::vector<Vec2> normal_;
-  Wall of_[2];
+  std::vector<double> dphi_ds_[2];  // at its nodes, of either axis
   std::shared_ptr<const UnitPotentials> potentials_;
 };
 
