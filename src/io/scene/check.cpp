@@ -145,7 +145,8 @@ struct ReferenceColumn {
 struct Reference {
   std::string_view key;
   std::optional<std::string> CheckSettings::*written;
-  std::vector<ReferenceColumn> columns;
+  std::vector<ReferenceColumn> columns;  // the first: times
+  bool many_at_once = false;             // rows of one time, of places along a wall
 };
 
 const std::array references{
@@ -155,7 +156,8 @@ const std::array references{
     Reference{"check.lift_reference", &C::lift_reference, {{"T"}, {"C_L"}}},
     Reference{"check.wall_vorticity_reference",
               &C::wall_vorticity_reference,
-              {{"T"}, {"theta_deg"}, {"omega_R_over_U"}}},
+              {{"T"}, {"theta_deg"}, {"omega_R_over_U"}},
+              true},
     Reference{"check.moments_reference",
               &C::moments_reference,
               {{"t"},
@@ -163,7 +165,7 @@ const std::array references{
                {"quadrupole_xy", &C::quadrupole_max},
                {"separation", &C::separation_max}}}};
 
-/// Row after row later than the one before; of places along a wall there are many rows a time.
+/// Row after row later than the one before.
 void require_course(const std::vector<double>& times, std::string_view name, bool many_at_once) {
   for (std::size_t k = 1; k < times.size(); ++k)
     if (!(times[k] > times[k - 1] || (many_at_once && times[k] == times[k - 1])))
@@ -185,7 +187,7 @@ void read_columns(const std::filesystem::path& path, const Reference& reference,
   for (const auto& [name, asked] : reference.columns)
     if (!asked || check.*asked) require_values(table.column(name), name);
   const std::string_view time = reference.columns.front().name;
-  require_course(table.column(time), time, reference.columns[1].name == "theta_deg");
+  require_course(table.column(time), time, reference.many_at_once);
 }
 
 void require_reference(const Document& document, const Scene& scene, const Reference& reference) {

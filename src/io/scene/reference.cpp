@@ -87,9 +87,7 @@ bool lacks_reference(const Scene& scene, std::string_view written) {
 void require_reference_file(const fs::path& path) {
   std::error_code error;
   if (fs::is_regular_file(path, error)) return;
-  if (fs::is_directory(path, error))
-    throw InputError(fmt::format("{} is a folder; a file was expected",
-                                 shortened(path.string(), 100)));
+  if (fs::exists(path, error)) require_regular_file(path);
   const std::vector<std::string> names = names_in(folder_of(path));
   const std::vector<std::string_view> known(names.begin(), names.end());
   const std::string_view near = nearest(path.filename().string(), known);
