@@ -32,6 +32,16 @@ void change_frames(const std::string& line, const TemporaryFolder& folder) {
   REQUIRE(done.code == 0);
 }
 
+/// Replaces what a regular expression finds in the scene that they keep.
+void change_scene(const std::string& pattern, const std::string& by,
+                  const TemporaryFolder& folder) {
+  change_frames(
+      "import re; a = f.attrs; t = a['resolved']; t = t if isinstance(t, str) else t.decode(); "
+      "a['resolved'] = __import__('numpy').bytes_(re.sub('" +
+          pattern + "', '" + by + "', t).encode())",
+      folder);
+}
+
 const std::string forget_frames = "[f.pop(n) for n in list(f) if n.startswith('frame_')]";
 
 }  // namespace
@@ -123,11 +133,7 @@ TEST_CASE("a run of a time when blobs were split into rings goes on with rings, 
   const NoFigures quick(folder);
   folder.write("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml time.end=0.4 splitting.scheme=ring --out r", folder).code == 0);
-  const std::string without_scheme =
-      "import re; a = f.attrs; t = a['resolved']; t = t if isinstance(t, str) else t.decode(); "
-      "a['resolved'] = "
-      "__import__('numpy').bytes_(re.sub('\\nscheme = .ring.', '', t).encode())";
-  change_frames(without_scheme, folder);
+  change_scene("\\nscheme = .ring.", "", folder);
   change_frames("del f.attrs['checksum']", folder);
   const auto lattice = call("run vortex.toml --resume --out r", folder);
   CHECK(lattice.code == 2);
@@ -142,11 +148,7 @@ TEST_CASE("a step that is not that of the frames' times is refused, with or with
   const NoFigures quick(folder);
   folder.write("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml time.end=0.4 --out r", folder).code == 0);
-  const std::string other_step =
-      "import re; a = f.attrs; t = a['resolved']; t = t if isinstance(t, str) else t.decode(); "
-      "a['resolved'] = "
-      "__import__('numpy').bytes_(re.sub('\\ndt = [0-9.]+', '\\ndt = 0.0625', t).encode())";
-  change_frames(other_step, folder);
+  change_scene("\\ndt = [0-9.]+", "\\ndt = 0.0625", folder);
   const auto against_checksum = call("run vortex.toml --resume --out r", folder);
   CHECK(against_checksum.code == 2);
   CHECK(against_checksum.err.find("does not agree with its checksum") != std::string::npos);
