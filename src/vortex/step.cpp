@@ -176,21 +176,31 @@ void scatter(Blobs& blobs, const Problem& p, std::uint64_t number) {
     exchange_strength(blobs, p.flow.nu, p.dt, p.sigma_0, p.area);
 }
 
-/// In how many substeps a step is done: after an impulsive start the flow changes as fast as it is
-/// young.
-int substeps_of(const Problem& p, std::uint64_t number) {
-  if (!p.wall || number > first_substeps) return 1;
-  return static_cast<int>(first_substeps / std::max<std::uint64_t>(number, 1));
-}
+/// Steps and their parts beside a wall, by the number of the step: an impulsive start changes the
+/// flow as fast as it is young. What the last part makes lies on the wall as a sheet, though it has
+/// spread since it came about; so forces err by how much more there is of it than a step before,
+/// and the last part grows slowly.
+struct Parts {
+  int count = 1;
+  double last = 1, others = 0;  // of a step's length
 
-/// The problem with a step of dt/substeps, and cores and mergers as they go with it.
-Problem substep_of(const Problem& whole, int substeps) {
+  Parts(const Problem& p, std::uint64_t number) {
+    number = std::max<std::uint64_t>(number, 1);
+    if (!p.wall || number >= first_substeps) return;
+    count = static_cast<int>((first_substeps + number - 1) / number);
+    last = static_cast<double>(number) / first_substeps;
+    others = (1 - last) / (count - 1);
+  }
+  double length(int k) const { return k + 1 < count ? others : last; }
+};
+
+/// The problem with a step of so much of its dt, and cores and mergers of a step of the last part.
+Problem part_of(const Problem& whole, double length, double last) {
   Problem p = whole;
-  const double finer = 1 / std::sqrt(static_cast<double>(substeps));
-  p.dt /= substeps;
-  for (double* scale :
-       {&p.sigma_0, &p.splitting.sigma_max, &p.merging.sigma_max, &p.merging.tolerance})
-    *scale *= finer;
+  p.dt *= length;
+  p.sigma_0 *= std::sqrt(length);
+  for (double* scale : {&p.splitting.sigma_max, &p.merging.sigma_max, &p.merging.tolerance})
+    *scale *= std::sqrt(last);
   return p;
 }
 
@@ -199,7 +209,7 @@ Problem substep_of(const Problem& whole, int substeps) {
 Wake start(Blobs& blobs, const Problem& p) {
   // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
   // step.
-  const double dt = p.dt / substeps_of(p, 1);
+  const double dt = p.dt * Parts(p, 1).last;
   return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * dt)) : Wake{};
 }
 
@@ -286,17 +296,20 @@ Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phas
 }  // namespace
 
 Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::Phase& phase) {
-  const int substeps = substeps_of(whole, number);
-  if (substeps == 1) return step_in_one(blobs, whole, number, phase);
-  Problem p = substep_of(whole, substeps);
+  const Parts parts(whole, number);
   Wake wake;
+  wake.outflow = whole.outflow;
+  wake.drifting = whole.drifting;
   Vec2 pressure;
-  for (int k = 0; k < substeps; ++k) {
-    wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
-    pressure += (1.0 / substeps) * wake.pressure;
+  double time = whole.time;
+  for (int k = 0; k < parts.count; ++k) {
+    Problem p = part_of(whole, parts.length(k), parts.last);
+    p.time = time;
     p.outflow = wake.outflow;
     p.drifting = wake.drifting;
-    p.time += p.dt;
+    wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
+    pressure += parts.length(k) * wake.pressure;
+    time += p.dt;
   }
   wake.pressure = pressure;
   return wake;

@@ -104,9 +104,9 @@ struct Multiplied : std::runtime_error {
 Wake start(Blobs& blobs, const Problem& problem);
 
 /// One step of length dt: half the diffusion, convection, the other half, release of wall
-/// vorticity, splitting, merging. Beside a wall the first steps, from number 1, are done in 8, 4, 2
-/// and 2 substeps, with cores and mergers as much finer: an impulsive start changes the flow as
-/// fast as it is young.
+/// vorticity, splitting, merging. Beside a wall the first steps, from number 1, are done in 8, 4,
+/// 3, 2, 2, 2 and 2 substeps: the last of step n is n/8 of it, the others are alike and no longer;
+/// cores and mergers are as much finer. An impulsive start changes the flow as fast as it is young.
 /// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const tree::Phase& phase);
 
