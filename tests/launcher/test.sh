@@ -194,6 +194,18 @@ call_as_user "$project" ./vortree test
 expect code $code 1
 expect said "$err" "vortree: cannot write to $project/build, as test needs to"
 
+claim "what OpenMP would not take for a number of threads is refused in one line"
+apt $packages; builders
+for threads in -4 0 four 2.5 4,; do
+  call "$project" env OMP_NUM_THREADS="$threads" ./vortree cases
+  expect code $code 1
+  expect said "$err" "vortree: OMP_NUM_THREADS is \"$threads\"; numbers of threads from 1 on were expected"
+done
+for threads in 4 " 4 " 4,2 ""; do
+  call "$project" env OMP_NUM_THREADS="$threads" ./vortree cases
+  expect code $code 7
+done
+
 claim "without sudo a user is told what to ask for"
 apt ${packages/catch2/}; builders
 chmod 777 "$project"

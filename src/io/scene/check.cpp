@@ -194,6 +194,7 @@ void require_reference(const Document& document, const Scene& scene, const Refer
   const std::optional<std::string>& written = scene.check.*reference.written;
   if (!written || lacks_reference(scene, *written)) return;
   try {
+    if (written->empty()) throw InputError("the name of a file was expected");
     if (written->find(by_reynolds) != std::string::npos && !scene.flow.reynolds)
       throw InputError(fmt::format("{} needs flow.reynolds", by_reynolds));
     read_columns(reference_path(scene, *written), reference, scene.check);

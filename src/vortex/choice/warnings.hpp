@@ -25,9 +25,9 @@ namespace vortree::vortex {
 ///   sigma_0   off sqrt(nu dt) by more than 3: wall vorticity, and with it friction, is wrong
 /// In free space: the vortex turns by more than 1 rad (rk2: 1/2) a step, cores wider than half the
 /// vortex, a lattice wider than 1.4 cores, two vortices that are one.
-/// Anywhere: children wider than mergers may be, mergers that may do anything or nothing, sums of
-/// few terms (warnings_of_means.hpp); pictures and frames of nothing; what the run will cost
-/// (cost.hpp).
+/// Anywhere: keys of children where there are none, children wider than mergers may be, mergers
+/// that may do anything or nothing, sums of few terms (warnings_of_means.hpp); pictures and frames
+/// of nothing; what the run will cost (cost.hpp).
 flow::Warnings warnings(const VortexCase& scene);
 
 }  // namespace vortree::vortex

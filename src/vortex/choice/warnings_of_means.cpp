@@ -102,6 +102,20 @@ void doubt_merging(Warnings& list, const VortexCase& scene, double speed, double
         scene.merging.reach));
 }
 
+/// What rings alone have, written where there are none.
+void doubt_idle(Warnings& list, const SplittingSettings& splitting) {
+  constexpr SplittingSettings usual;
+  const auto idle = [&](std::string_view key, const auto& value, const auto& of_rings) {
+    if (value != of_rings)
+      list.push_back(fmt::format(
+          "splitting.{} = {}: without a body wide blobs are laid onto lattices and have no "
+          "children: it changes nothing; it does with splitting.scheme = \"ring\"",
+          key, value));
+  };
+  idle("alpha", splitting.alpha, usual.alpha);
+  idle("children", splitting.children, usual.children);
+}
+
 /// In free space, where all that is too wide is laid onto lattices.
 void doubt_lattice(Warnings& list, const VortexCase& scene) {
   const double widest = scene.cores.sigma_max, nu = scene.flow.nu, dt = scene.time.dt;
@@ -114,10 +128,12 @@ void doubt_lattice(Warnings& list, const VortexCase& scene) {
 
 void doubt_spreading(Warnings& list, const VortexCase& scene) {
   if (!spreads_cores(scene)) return;
-  if (makes_children(scene))
+  if (makes_children(scene)) {
     doubt_splitting(list, scene);
-  else
+  } else {
     doubt_lattice(list, scene);
+    doubt_idle(list, scene.splitting);
+  }
   if (scene.body && flow::fastest_of(scene) > 0) {
     const double speed = flow::fastest_of(scene);
     doubt_merging(list, scene, 0.5 * speed, 0.04 * speed);

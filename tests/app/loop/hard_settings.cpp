@@ -116,10 +116,13 @@ TEST_CASE("what a scene does to a vortex, to mergers and sums, and what it draws
   CHECK(about(by_rings("merging.tolerance=1e-5"), "merging.tolerance = 1e-05: hardly"));
   CHECK(about(by_rings("merging.cap=0.33"), "merging.cap = 0.33"));
   CHECK(about(by_rings("merging.cap=0.01"), "cores.sigma_max = 0.05: one step"));
-  // Lattices have no children that must merge.
-  for (const char* of_rings :
-       {"splitting.alpha=0.99", "merging.tolerance=1e-5", "merging.cap=0.33"})
+  // Lattices have no children that must merge, and none at all.
+  for (const char* of_rings : {"merging.tolerance=1e-5", "merging.cap=0.33", "splitting.alpha=0.7"})
     CHECK(doubted_of({of_rings}).empty());
+  CHECK(about(doubted_of({"splitting.alpha=0.99"}), "splitting.alpha = 0.99: without a body"));
+  CHECK(about(doubted_of({"splitting.children=5"}), "splitting.children = 5: without a body"));
+  CHECK(by_rings("splitting.children=5").empty());
+  CHECK(doubted({"splitting.children=5"}).empty());
   CHECK(about(doubted_of({"merging.tolerance=0"}), "merging.tolerance = 0"));
   CHECK(about(doubted_of({"merging.tolerance=1e9"}), "merging.tolerance"));
   CHECK(about(doubted_of({"merging.reach=1e9"}), "merging.reach"));
@@ -218,7 +221,7 @@ TEST_CASE("a run that breaks keeps the state before the step that broke it") {
   // A vortex of a thousand U D beside the body has more vorticity than any such flow.
   const auto outcome = call(
       "run cylinder.toml initial.kind=lamb_oseen initial.circulation=1000 initial.core=0.3 "
-      "initial.centre=[3,0] initial.faintest=0.1",
+      "initial.centre=[3,0] initial.faintest=0.1 time.dt=0.04",
       folder);
   CAPTURE(outcome.err);
   CHECK(outcome.code == 1);

@@ -238,6 +238,7 @@ TEST_CASE("a name by the Reynolds number that no file has for any number is mist
                       "; did you mean drag_re20.csv?"));
   CHECK_THAT(with("unknown/drag_re{reynolds}.csv"),
              EndsWith("there is no file " + (box / "unknown/drag_re20.csv").string()));
+  CHECK_THAT(with(""), EndsWith("check.drag_reference is \"\"; the name of a file was expected"));
 }
 
 TEST_CASE("a reference whose notes tell another Reynolds number is doubted") {
