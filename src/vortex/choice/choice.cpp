@@ -25,16 +25,16 @@ Choice past_body(const VortexCase& scene, double e) {
   const double length = body::length_of(*scene.body), nu = scene.flow.nu;
   const double reynolds = speed * length / nu;
   Choice c{};
-  // A scene that sets its own step has the cores that go with it.
   const double period = scene.plunge ? 1 / scene.plunge->frequency : INFINITY;
+  const double longest = 2 * e * length / speed, coarse = std::cbrt(std::min(e, 0.05) / 0.01),
+               turning = 0.02 * coarse * std::sqrt(550 / reynolds) * length / speed;
+  // A scene that sets its own step has the cores that go with it.
   c.dt = scene.time.dt > 0
              ? scene.time.dt
-             : flow::fitted_step(
-                   scene, std::min({2 * e * length / speed,
-                                    0.02 * std::sqrt(550 / reynolds) * length / speed, period / 100,
-                                    0.1 * std::min(e, 0.05) * length * length / nu}));
-  c.sigma_max = std::min(4 * std::sqrt(e * nu * length / speed),
-                         std::sqrt(8 * nu * c.dt) * std::pow(std::max(e / 0.01, 1.0), 0.25));
+             : flow::fitted_step(scene, std::min({longest, turning, period / 100,
+                                                  0.1 * std::min(e, 0.05) * length * length / nu}));
+  const double squares = 6 + 2 * std::min(turning / longest, 1.0);
+  c.sigma_max = std::min(4 * std::sqrt(e * nu * length / speed), std::sqrt(squares * nu * c.dt));
   const double beside_body = reynolds < 20 ? 4 * length * std::sqrt(e / 20) : length / 4;
   c.sigma_max = std::min({c.sigma_max, beside_body, length / 4});
   c.sigma_max = std::max(c.sigma_max, std::sqrt(4 * nu * c.dt));

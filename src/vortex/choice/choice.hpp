@@ -8,15 +8,19 @@ namespace vortree::vortex {
 /// velocity tolerance and panels is not written.
 ///
 /// With a body of diameter D in a stream U (sqrt(U^2 + V^2) for one that plunges with speeds up to
-/// V), accuracy e the drag's relative error (measured at Re = 550, where it is set by the cores):
+/// V), accuracy e the drag's relative error from T = 0.2 on (measured from Re = 1 to 9500,
+/// cases/accuracy.md):
 ///
 ///   sigma_max = 4 sqrt(e nu D/U)            cores as a share of the boundary layer, at most
-///                                           sqrt(8 nu dt) (e/0.01)^(1/4), the root from 0.01 on,
-///                                           so that strain has but two steps between splits, and
-///                                           not below the sqrt(4 nu dt) that a step adds
+///                                           sqrt((6 + 2 q) nu dt), that they split before strain
+///                                           has drawn them out, and not below the sqrt(4 nu dt)
+///                                           that a step adds
 ///                                           (beside the body no wider than at Re = 20, or D/4)
-///   dt        = min(2 e, 0.02 sqrt(550/Re)) D/U     the wall's vorticity turns less than 1 rad
-///                                           and a plunge has 100 steps a period; at most
+///   dt        = min(2 e, 0.02 (e/0.01)^(1/3) sqrt(550/Re)) D/U     q <= 1: the second of these as
+///                                           a share of the first. So the wall's vorticity turns
+///                                           by 0.94 (e/0.01)^(1/3) rad, which errs by its square
+///                                           at first, and no more than with e = 0.05; and a
+///                                           plunge has 100 steps a period; at most
 ///                                           0.1 min(e, 0.05) D^2/nu, that cores stay as small
 ///                                           against the body as they are at Re = 20; here and
 ///                                           below a little less, so that time.end is met
