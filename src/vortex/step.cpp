@@ -9,6 +9,7 @@
 #include "base/ordered_sum.hpp"
 #include "flow/near_wake.hpp"
 #include "fmm/plan.hpp"
+#include "vortex/cores/folded_core.hpp"
 #include "vortex/transport/particle_exchange.hpp"
 #include "vortex/transport/random_walk.hpp"
 #include "vortex/transport/spread_cores.hpp"
@@ -129,14 +130,28 @@ AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at
   return result;
 }
 
+/// A sheet that is itself again, to the fourth power of a panel, when it has been smoothed along
+/// the wall by so much variance beyond its own, in squares of a panel's length.
+std::vector<double> sharpened(std::span<const double> sheet, double variance) {
+  const std::size_t n = sheet.size();
+  std::vector<double> result(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double around = sheet[(i + 1) % n] + sheet[(i + n - 1) % n];
+    result[i] = sheet[i] - variance / 2 * (around - 2 * sheet[i]);
+  }
+  return result;
+}
+
 /// Blobs of this core across the wall; along it as long as a panel, which leaves a ripple of 1e-4
 /// between neighbors.
 void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, double core) {
-  const double along = std::max(core, wall.panel_length());
+  const double b = wall.panel_length(), along = std::max(core, b);
+  const Covariance v{core * core / 2, 0, along * along / 2};
+  const std::vector<double> sharp = sharpened(sheet, (v.tt - v.nn) / (b * b));
   for (std::size_t i = 0; i < wall.panels(); ++i) {
-    const Vec2 t = wall.tangent(i);
-    blobs.append(wall.middle(i), sheet[i] * wall.panel_length(),
-                 core_of({core * core / 2, 0, along * along / 2}, {t.y, -t.x}));
+    const body::WallPoint at = wall.shape().nearest(wall.middle(i));
+    blobs.append(wall.middle(i) - folded::sag(v.nn, v.tt, at.curvature) * at.normal, sharp[i] * b,
+                 core_of(v, at.normal));
   }
 }
 

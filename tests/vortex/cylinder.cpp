@@ -7,6 +7,7 @@
 #include "cylinder_flow.hpp"
 #include "exact/cylinder_drag.hpp"
 #include "flows.hpp"
+#include "vortex/cores/folded_core.hpp"
 #include "vortex/step.hpp"
 
 using namespace vortree;
@@ -144,11 +145,16 @@ TEST_CASE("boxes and direct sum lead to the same drag, until blobs merge with ot
   }
 }
 
-TEST_CASE("no blob's centre enters the cylinder") {
+TEST_CASE("no blob enters the cylinder: not where it acts, nor its centre by more than its sag") {
   const auto shape = body::circle({}, 0.5);
   const Blobs& blobs = by_direct_sum().blobs;
-  for (std::size_t i = 0; i < blobs.size(); ++i)
-    CHECK(shape->nearest(blobs.centre(i)).distance > -1e-14);
+  const vortex::FoldedBlobs acts = fold(blobs, shape.get());
+  for (std::size_t i = 0; i < blobs.size(); ++i) {
+    const body::WallPoint w = shape->nearest(blobs.centre(i));
+    const vortex::Covariance v = blobs.core(i).covariance(w.normal);
+    CHECK(height(w, v) > -1e-14);
+    CHECK(shape->distance(acts.at(i)) > 0);
+  }
 }
 
 TEST_CASE("a whole run past a cylinder is the same bits for any number of threads") {

@@ -9,9 +9,11 @@
 namespace vortree::vortex {
 
 AtWall beside(const body::WallPoint& nearest, const Core& core) {
-  const double y = nearest.distance, s = std::sqrt(2 * core.covariance(nearest.normal).nn);
-  const double out = folded::mean_distance(y, s, nearest.curvature) - y;
-  return {out * nearest.normal, nearest.normal, false};
+  const Covariance v = core.covariance(nearest.normal);
+  const double y = height(nearest, v);
+  const folded::MeanAndVariance acts = folded::moments(y, std::sqrt(2 * v.nn), nearest.curvature);
+  const double bent = folded::followed(v.tt, nearest.curvature) * v.nn / 2;
+  return {(acts.mean - y) * nearest.normal, nearest.normal, acts.mean + bent, acts.across, false};
 }
 
 AdaptedBlobs unpack(const Blobs& blobs, const body::Shape* wall) {
@@ -31,14 +33,11 @@ AdaptedBlobs unpack(const Blobs& blobs, const body::Shape* wall) {
 
 namespace {
 
-/// The blob with the mean and the mean square of its distance from the wall.
-Placed pack(const AdaptedBlob& p, Vec2 offset, const body::Shape& wall) {
-  const body::WallPoint w = wall.nearest(p.centre());
-  Covariance v = p.core().covariance(w.normal);
-  const Vec2 centroid = p.centre() + offset;
-  const double m = wall.distance(centroid);
-  v.nn = std::max(v.nn + w.distance * w.distance - m * m, 0.01 * p.square);
-  return unfold({centroid, core_of(v, w.normal)}, &wall);
+/// The blob with this folded centroid and this variance across the wall.
+Placed pack(const AdaptedBlob& p, const AtWall& at_wall, const body::Shape& wall) {
+  Covariance v = p.core().covariance(at_wall.normal);
+  v.nn = std::max(at_wall.across, 0.01 * p.square);
+  return unfold({p.centre() + at_wall.offset, core_of(v, at_wall.normal)}, &wall);
 }
 
 }  // namespace
@@ -52,7 +51,7 @@ Blobs pack(const AdaptedBlobs& adapted, const body::Shape* wall) {
     const AdaptedBlob& p = adapted.all[i];
     Placed blob{p.centre(), p.core()};
     if (p.at_wall != no_wall && adapted.at_wall[p.at_wall].moved)
-      blob = pack(p, adapted.at_wall[p.at_wall].offset, *wall);
+      blob = pack(p, adapted.at_wall[p.at_wall], *wall);
     blobs.put(i, blob.centre, p.gamma, blob.core);
   }
   return blobs;

@@ -27,14 +27,17 @@ struct AdaptedBlob {
 
 inline constexpr std::uint32_t no_wall = ~0u;
 
-/// What such a blob beside a wall knows besides. The mean of its distance from the wall is that of
-/// its folded centroid, centre + offset; the mean square of it is that of its centre and core. Both
-/// are kept, and the core is put around them at the end.
+/// What such a blob beside a wall knows besides: its folded centroid, centre + offset, and mean and
+/// variance of the distance from the wall of what it folds. These are kept, and the core is put
+/// around them at the end.
 ///
 /// normal  of the wall, outward
+/// mean    distance along the bent wall: that of the centroid and k v_t/2 (folded_core.hpp) [m]
+/// across  variance [m^2]
 /// moved   the core is still to be put there
 struct AtWall {
   Vec2 offset, normal;
+  double mean, across;
   bool moved;
 };
 

@@ -13,22 +13,55 @@ Vec2 normalized(Vec2 a) {
   return (1 / std::sqrt(dot(a, a))) * a;
 }
 
+/// Two blobs of which at least one lies beside the wall: `w` is the first's share.
+struct PairAtWall {
+  const AdaptedBlob &p, &q;
+  std::span<const AtWall> at_wall;
+  double w;
+  Vec2 normal, folded_apart;
+
+  PairAtWall(const AdaptedBlob& first, const AdaptedBlob& second, double share,
+             std::span<const AtWall> all)
+      : p(first), q(second), at_wall(all), w(share) {
+    normal = normalized(of(p).normal + of(q).normal);
+    folded_apart = p.centre() - q.centre() + offset(p) - offset(q);
+  }
+
+  bool folds(const AdaptedBlob& blob) const { return blob.at_wall != no_wall; }
+  /// What is known of the wall: of the other, if it does not fold this one.
+  const AtWall& of(const AdaptedBlob& blob) const {
+    return at_wall[folds(blob) ? blob.at_wall : folds(p) ? p.at_wall : q.at_wall];
+  }
+  Vec2 offset(const AdaptedBlob& blob) const { return folds(blob) ? of(blob).offset : Vec2{}; }
+  double across(const AdaptedBlob& blob) const {
+    return folds(blob) ? of(blob).across : blob.core().covariance(normal).nn;
+  }
+  /// How much farther from the wall the first is: along the bent wall, if both are known.
+  double farther() const {
+    return folds(p) && folds(q) ? of(p).mean - of(q).mean : dot(normal, folded_apart);
+  }
+
+  AtWall merged() const {
+    const double v = 1 - w, apart = farther();
+    const double mean = folds(p) ? of(p).mean - v * apart : of(q).mean + w * apart;
+    return {w * offset(p) + v * offset(q), normal, mean,
+            w * across(p) + v * across(q) + w * v * apart * apart, true};
+  }
+};
+
 /// What lies beside the wall of both, the second's share added to the first's. Tilt is that of
 /// folded centroids.
 void merge_at_wall(AdaptedBlob& p, const AdaptedBlob& q, double w, Covariance& spread, Vec2& normal,
                    std::span<AtWall> at_wall) {
-  const std::uint32_t slot = p.at_wall != no_wall ? p.at_wall : q.at_wall;
-  const AtWall& other = at_wall[q.at_wall != no_wall ? q.at_wall : slot];
-  const Vec2 offset_p = p.at_wall != no_wall ? at_wall[p.at_wall].offset : Vec2{};
-  const Vec2 offset_q = q.at_wall != no_wall ? at_wall[q.at_wall].offset : Vec2{};
-  normal = normalized(at_wall[slot].normal + other.normal);
-  const Vec2 tangent{-normal.y, normal.x};
-  const Vec2 apart = p.centre() - q.centre(), folded_apart = apart + offset_p - offset_q;
+  const PairAtWall pair(p, q, w, at_wall);
+  normal = pair.normal;
+  const Vec2 tangent{-normal.y, normal.x}, apart = p.centre() - q.centre();
   spread = {dot(normal, apart) * dot(normal, apart),
-            dot(normal, folded_apart) * dot(tangent, folded_apart),
+            dot(normal, pair.folded_apart) * dot(tangent, pair.folded_apart),
             dot(tangent, apart) * dot(tangent, apart)};
-  at_wall[slot] = {w * offset_p + (1 - w) * offset_q, normal, true};
-  p.at_wall = slot;
+  const AtWall merged = pair.merged();
+  if (p.at_wall == no_wall) p.at_wall = q.at_wall;
+  at_wall[p.at_wall] = merged;
 }
 
 }  // namespace

@@ -149,16 +149,38 @@ Cross cross(double q, double wider) {
   return c;
 }
 
-/// The children of a blob that the wall folds: a cross along and across the wall, sheared by the
-/// parent's tilt. All are to act so far from where they would that their mean stays.
+/// Moves and widens what children are to act as, so that folded centroid, mean and variance of the
+/// distance from the wall are those of their parent.
+void keep_moments(std::span<const AdaptedBlob> children, std::span<AtWall> at_wall,
+                  const std::array<double, 4>& share, Vec2 centroid, const AtWall& parent) {
+  Vec2 acts;
+  double mean = 0, square = 0;
+  for (int k = 0; k < 4; ++k) {
+    const AtWall& own = at_wall[k];
+    acts += share[k] * (children[k].centre() + own.offset);
+    mean += share[k] * own.mean;
+    square += share[k] * (own.across + own.mean * own.mean);
+  }
+  for (AtWall& own : at_wall) {
+    own.offset += centroid - acts;
+    own.mean += parent.mean - mean;
+    own.across += parent.across - (square - mean * mean);
+    own.moved = true;
+  }
+}
+
+/// The children of a blob that the wall folds: a cross along and across it, sheared by the
+/// parent's tilt, which follows the wall's bend. All are to act so far from where they would, and
+/// so much wider, that mean and variance stay.
 void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
                    const AdaptedBlob& parent, double alpha2, const body::Shape& wall) {
   const body::WallPoint w = wall.nearest(parent.centre());
   const double child2 = alpha2 * parent.square, child = std::sqrt(child2);
   const Parted deviator(parent.core(), alpha2);
   const Covariance v = Core{parent.square, deviator.shown}.covariance(w.normal);
-  const Cross c = cross(w.distance / child, std::sqrt(2 * v.nn) / child);
-  const double at = w.distance + child * c.shift, arm = child * c.arm;
+  const double y = height(w, parent.core().covariance(w.normal));
+  const Cross c = cross(y / child, std::sqrt(2 * v.nn) / child);
+  const double at = y + child * c.shift, arm = child * c.arm;
   const std::array<double, 4> distance{at, at, at + arm, std::abs(at - arm)};
   const std::array<double, 4> share{c.share / 2, c.share / 2, (1 - c.share) / 2, (1 - c.share) / 2};
   std::array<double, 4> acts;
@@ -175,34 +197,22 @@ void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
   // Mirror images of parents have mirror images of children, in their order.
   const double along = std::copysign(std::sqrt((behind - lean * tilt) / c.share), parent.gamma);
   const std::array<double, 4> aside{along, -along, 0, 0};
-  const Placed as_one = fold(parent.centre(), parent.core(), &wall);
-  const Vec2 foot = parent.centre() - w.distance * w.normal;
   Covariance own = Core{child2, deviator.kept}.covariance(w.normal);
   own.nt = std::clamp(own.nt + v.nt - tilt, -0.9 * std::sqrt(own.nn * own.tt),
                       0.9 * std::sqrt(own.nn * own.tt));
   const Core rest = core_of(own, w.normal);
-  Vec2 sum;
+  const Vec2 foot = parent.centre() - w.distance * w.normal;
   for (int k = 0; k < 4; ++k) {
     const double t = aside[k] + lean * (acts[k] - mean);
-    const Vec2 place = foot + distance[k] * w.normal + t * w.tangent();
+    const double bent = folded::sag(own.nn, own.tt + t * t, w.curvature);
+    const Vec2 place = foot + (distance[k] - bent) * w.normal + t * w.tangent();
     children[k] = {place.x,         place.y,        share[k] * parent.gamma,
                    rest.square,     rest.deviator,  parent.at_wall + k,
                    parent.widening, parent.leniency};
-    body::WallPoint near = wall.nearest(place);
-    if (near.distance < 0) {
-      const Vec2 back = place - (2 * near.distance) * near.normal;
-      children[k].x = back.x;
-      children[k].y = back.y;
-      near.distance = -near.distance;
-    }
-    at_wall[k] = beside(near, children[k].core());
-    sum = sum + share[k] * (children[k].centre() + at_wall[k].offset);
+    at_wall[k] = beside(wall.nearest(place), rest);
   }
-  const Vec2 shift = as_one.centre - sum;
-  for (AtWall& own : at_wall) {
-    own.offset = own.offset + shift;
-    own.moved = true;
-  }
+  const AtWall as_one = beside(w, parent.core());
+  keep_moments(children, at_wall, share, parent.centre() + as_one.offset, as_one);
 }
 
 constexpr int children_at_wall = 4;

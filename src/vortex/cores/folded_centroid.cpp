@@ -6,6 +6,11 @@
 #include "vortex/cores/folded_core.hpp"
 
 namespace vortree::vortex {
+
+double height(const body::WallPoint& nearest, const Covariance& core) {
+  return nearest.distance + folded::sag(core.nn, core.tt, nearest.curvature);
+}
+
 namespace {
 
 /// What is nearest of a wall that the core reaches, and the core in its frame; or nothing.
@@ -18,22 +23,31 @@ struct Beside {
     if (!shape || shape->beyond(at, folded::support * widest(own))) return;
     wall = shape->nearest(at);
     core = own.covariance(wall.normal);
+    core.nn = std::max(core.nn, 1e-12 * core.tt);  // what is squeezed to nothing, but for round-off
     reached = folded::applies(wall.distance, sigma());
   }
   double sigma() const { return std::sqrt(2 * core.nn); }
 
   /// How it acts.
   Placed folded(Vec2 at) const {
-    const double m = folded::mean_distance(wall.distance, sigma(), wall.curvature);
-    const double across = folded::variance_across(wall.distance, sigma(), m);
-    return {at + (m - wall.distance) * wall.normal,
-            core_of({across, core.nt, core.tt}, wall.normal)};
+    const double y = height(wall, core);
+    const folded::MeanAndVariance acts = folded::moments(y, sigma(), wall.curvature);
+    return {at + (acts.mean - y) * wall.normal,
+            core_of({acts.across, core.nt, core.tt}, wall.normal)};
   }
 
-  /// The blob at the distance and of the width across the wall that `own` has.
+  /// The mean by which a core is placed that acts so far from the wall, and what it follows of it.
+  double mean() const {
+    const double least = folded::thinnest * folded::inverse_sqrt_pi * sigma();
+    return std::max(wall.distance, least) + followed() * core.tt / 2;
+  }
+  double followed() const { return folded::followed(core.tt, wall.curvature); }
+
+  /// The blob of the distance and of the width across the wall that `own` has; `at` is where this
+  /// one is.
   Placed put(Vec2 at, const folded::Gaussian& own) const {
-    return {at + (own.y - wall.distance) * wall.normal,
-            core_of({own.s * own.s / 2, core.nt, core.tt}, wall.normal)};
+    const Covariance v{own.s * own.s / 2, core.nt, core.tt};
+    return {at + (own.y - height(wall, v)) * wall.normal, core_of(v, wall.normal)};
   }
 };
 
@@ -67,16 +81,15 @@ FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall) {
 Placed place(Vec2 mean, const Core& core, const body::Shape* shape) {
   const Beside blob(mean, core, shape);
   if (!blob.reached) return {mean, core};
-  const body::WallPoint& w = blob.wall;
-  return blob.put(mean, folded::place(w.distance, blob.sigma(), w.curvature));
+  return blob.put(mean,
+                  folded::place(blob.mean(), blob.sigma(), blob.wall.curvature, blob.followed()));
 }
 
 Placed unfold(const Placed& folded, const body::Shape* shape) {
   const Beside blob(folded.centre, folded.core, shape);
   if (!blob.reached) return folded;
-  const body::WallPoint& w = blob.wall;
-  return blob.put(folded.centre,
-                  folded::place_with_variance(w.distance, blob.core.nn, w.curvature));
+  return blob.put(folded.centre, folded::place_with_variance(blob.mean(), blob.core.nn,
+                                                             blob.wall.curvature, blob.followed()));
 }
 
 Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double dt,

@@ -38,6 +38,11 @@ struct Placed {
   Core core;
 };
 
+/// How far from the wall the Gaussian is centred that is folded: the blob's centre and the sag of
+/// its core. No blob has less than 0; the centre of one that is drawn out along a bent wall may lie
+/// behind it.
+double height(const body::WallPoint& nearest, const Covariance& core);
+
 /// How a blob acts: folded back by the wall.
 Placed fold(Vec2 centre, const Core& core, const body::Shape* wall);
 

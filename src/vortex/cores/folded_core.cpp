@@ -51,25 +51,31 @@ Profile profile(double q) {
   return at;
 }
 
-Gaussian place(double m, double s, double kappa) {
-  if (!applies(m, s)) return {m, s};
+namespace {
+
+/// The width of a core centred on the wall: (1/sqrt(pi) - bend) s + k s^2/4 = m, the smaller root.
+double width_on_wall(double m, double kappa, double k) {
+  const double a = inverse_sqrt_pi, square = k / 4 - kappa / 8;
+  const double s = 2 * m / (a + std::sqrt(std::max(a * a + 4 * square * m, 0.0)));
+  if (kappa * s / 8 <= a / 2) return s;
+  return 2 * m / (a / 2 + std::sqrt(std::max(a * a / 4 + k * m, 0.0)));  // past the sharpest edge
+}
+
+}  // namespace
+
+Gaussian place(double m, double s, double kappa, double k) {
+  const double mean = m - k * s * s / 4;
+  if (!applies(mean, s)) return {mean, s};
   m = std::max(m, thinnest * s * inverse_sqrt_pi);
   const double bend = folded::bend(s, kappa);
   const double on_wall = s * (inverse_sqrt_pi - bend);  // mean distance of a centre on the wall
-  if (m <= on_wall) {
-    // m = s'/sqrt(pi) - kappa s'^2/8, the smaller root; past the sharpest edge m = s'/(2 sqrt(pi)).
-    const double a = inverse_sqrt_pi;
-    return {0, std::min(s, 2 * m / (a + std::sqrt(std::max(a * a - kappa * m / 2, 0.0))))};
-  }
-  // Near the wall m - on_wall = y^2/s (1/sqrt(pi) + 2 bend): a start from which Newton does not
+  if (mean <= on_wall) return {0, std::min(s, width_on_wall(m, kappa, k))};
+  // Near the wall mean - on_wall = y^2/s (1/sqrt(pi) + 2 bend): a start from which Newton does not
   // overshoot.
-  double y = std::sqrt((m - on_wall) * s / (inverse_sqrt_pi + 2 * bend));
-  for (int k = 0; k < 12; ++k) {
-    const double q = y / s;
-    const Profile at = profile(q);
-    const double mean = s * (at.mean - bend * ((1 - 2 * q * q) * (1 - at.erf) + q * at.slope));
-    const double slope = at.erf + 4 * bend * q * (1 - at.erf);
-    const double next = std::max(y - (mean - m) / slope, 0.0);
+  double y = std::sqrt((mean - on_wall) * s / (inverse_sqrt_pi + 2 * bend));
+  for (int step = 0; step < 12; ++step) {
+    const Bent at(y / s, bend);
+    const double next = std::max(y - (s * at.mean - mean) / at.slope, 0.0);
     // The error after a step is less than the square of the step over y.
     const bool settled = next == 0 || std::abs(next - y) <= 1e-8 * next;
     y = next;
@@ -80,35 +86,30 @@ Gaussian place(double m, double s, double kappa) {
 
 namespace {
 
-/// A core of width s, in units of that, at a distance q from a wall that takes `bend` of its mean.
-struct Bent {
-  double mean, slope;
-
-  Bent(double q, double bend) {
-    const Profile at = profile(q);
-    mean = at.mean - bend * ((1 - 2 * q * q) * (1 - at.erf) + q * at.slope);
-    slope = at.erf + 4 * bend * q * (1 - at.erf);
-  }
-};
-
-/// q = y/s of which (1/2 + q^2)/mean(q)^2 is `second`, E[n^2]/E[n]^2, of the core whose mean
-/// distance is m: largest on the wall, at a flat one whence it falls as 1 - 2/3 q^4, at a convex
-/// one with 6 bend/(1/sqrt(pi) - bend) q^2 besides.
+/// q = y/s of which v_n/m^2 is `part`, of the core whose mean distance is m - k s^2/4: largest on
+/// the wall, at a flat one whence 1 + v_n/m^2 falls as 1 - 2/3 q^4, at a convex one with a term in
+/// q^2 besides.
 ///
 /// on_wall  the core's width if its centre were on the wall
-double depth(double second, double m, double on_wall, double kappa) {
-  double b = bend(on_wall, kappa);
-  const double edge = inverse_sqrt_pi - b, square = std::max(6 * b / edge, 0.0);
-  const double fallen = std::max(1 - 2 * second * edge * edge, 0.0);
+double depth(double part, double m, double on_wall, double kappa, double k) {
+  double s = on_wall, b = bend(s, kappa);
+  const Bent edge(0, b);
+  const double rise = inverse_sqrt_pi + 2 * b, mean = edge.mean + k * s / 4;
+  const double across_rise = 1 + 4 * inverse_sqrt_pi * std::max(b, 0.0) - 2 * edge.mean * rise;
+  const double most = 1 + edge.across / (mean * mean);
+  const double square =
+      std::max((2 * edge.across * rise / mean - across_rise) / (mean * mean * most), 0.0);
+  const double fallen = std::max(1 - (1 + part) / most, 0.0);
   const double start = 0.75 * (std::sqrt(square * square + 8.0 / 3 * fallen) - square);
   double q = std::max(std::sqrt(start), 1e-5);
-  if (q > 0.6) q = std::sqrt(0.5 / (second - 1));
-  for (int k = 0; k < 20 && q < support; ++k) {
-    b = bend(m / Bent(q, b).mean, kappa);
-    const auto [mean, rise] = Bent(q, b);
-    const double ratio = (0.5 + q * q) / (mean * mean);
-    const double slope = 2 * (q - ratio * mean * rise) / (mean * mean);
-    const double next = std::max(q - (ratio - second) / slope, q / 2);
+  if (q > 0.6) q = std::sqrt(0.5 / part);
+  for (int step = 0; step < 20 && q < support; ++step) {
+    s = m / (Bent(q, b).mean + k * s / 4);
+    b = bend(s, kappa);
+    const Bent at(q, b);
+    const double now = at.mean + k * s / 4, ratio = at.across / (now * now);
+    const double slope = (at.across_slope - 2 * ratio * now * at.slope) / (now * now);
+    const double next = std::max(q - (ratio - part) / slope, q / 2);
     if (std::abs(next - q) <= 1e-7 * q) return next;
     q = next;
   }
@@ -117,14 +118,16 @@ double depth(double second, double m, double on_wall, double kappa) {
 
 }  // namespace
 
-Gaussian place_with_variance(double m, double v_n, double kappa) {
+Gaussian place_with_variance(double m, double v_n, double kappa, double k) {
   m = std::max(m, thinnest * inverse_sqrt_pi * std::sqrt(2 * v_n));
-  const double convex = std::max(kappa, 0.0), square = v_n + m * m;
-  const double on_wall = place(m, 2 * m / inverse_sqrt_pi, convex).s;
-  if (square >= on_wall * on_wall / 2 - 1e-9 * m * m) return place(m, on_wall, kappa);
-  const double q = depth(square / (m * m), m, on_wall, convex);
-  const double s = q < support ? std::sqrt(square / (0.5 + q * q)) : std::sqrt(2 * v_n);
-  return place(m, s, kappa);
+  const double convex = std::max(kappa, 0.0), on_wall = width_on_wall(m, convex, k);
+  if (v_n >= on_wall * on_wall * Bent(0, bend(on_wall, convex)).across - 1e-9 * m * m)
+    return place(m, on_wall, kappa, k);
+  const double q = depth(v_n / (m * m), m, on_wall, convex, k);
+  double s = std::sqrt(2 * v_n);
+  for (int step = 0; q < support && step < 3; ++step)
+    s = std::sqrt(v_n / Bent(q, bend(s, convex)).across);
+  return place(m, s, kappa, k);
 }
 
 }  // namespace vortree::vortex::folded

@@ -14,14 +14,26 @@ namespace vortree::vortex {
 ///
 ///   mean distance      m   = s/sqrt(pi) exp(-q^2) + y erf(q) - kappa s^2/8 c(q),   q = y/s,
 ///                      c   = (1 - 2 q^2) erfc(q) + 2 q/sqrt(pi) exp(-q^2)
-///   variance across    v_n = s^2/2 + y^2 - m^2              (the s^2/2 of a free core, far away)
+///   variance across    v_n = s^2/2 + y^2 - m^2 - kappa s^3/(6 sqrt(pi)) g(q)
+///                      g   = (1 - 2 q^2) exp(-q^2) + 2 sqrt(pi) q^3 erfc(q)
+///                                                           (the s^2/2 of a free core, far away)
+///   sag                e   = kappa/2 (v_t - s^2/2)
 ///   wall vorticity     omega(x_w) = 2 gamma/(pi s^2) exp(-|x - x_w|^2/s^2)
 ///
-/// where kappa is the curvature of the wall (first order; convex > 0) [1/m]: a walk reflected at a
-/// bent wall that first meets it at T is pushed less by kappa nu E[(t + T)/2; T < t]. An edge
-/// sharper than a core counts as 4/(sqrt(pi) s), which halves the mean distance of a core on the
-/// wall, and no more. A blob acts, and is moved, at its mean; further than `support` cores from the
-/// wall it is a free blob.
+/// where kappa is the curvature of the wall (first order; convex > 0) [1/m]. Mean and variance are
+/// those of places in the plane, seen from the tangent at the nearest wall point, not of distances
+/// from the wall. A walk reflected at a bent wall that first meets it at T is pushed less by kappa
+/// nu E[(t + T)/2; T < t], and its mean square by the t^2 by which the wall has fallen back where
+/// it is pushed, kappa nu int <t^2> omega(0). An edge sharper than a core counts as
+/// 4/(sqrt(pi) s), which halves the mean distance of a core on the wall, and no more.
+///
+/// A core that is drawn out along the wall to a variance v_t beyond its own s^2/2 follows it: its
+/// centre and its mean lie by the sag behind those of a round core at the same distance. So what is
+/// split and merged along a bent wall keeps its distance.
+///
+/// A blob acts, and is moved, at its mean; further than `support` cores from the wall it is a free
+/// blob.
+/// error   O((kappa s)^2) of mean and variance (tests/vortex/cores/bent_wall.cpp)
 namespace folded {
 
 constexpr double support = 4;  // cores; erfc(4) = 1.5e-8
@@ -46,15 +58,50 @@ inline double bend(double s, double kappa) {
   return std::min(kappa * s / 8, inverse_sqrt_pi / 2);
 }
 
-inline double mean_distance(double y, double s, double kappa) {
-  if (!applies(y, s)) return y;
-  const double q = y / s;
-  const Profile at = profile(q);
-  return s * (at.mean - bend(s, kappa) * ((1 - 2 * q * q) * (1 - at.erf) + q * at.slope));
+/// A core of width 1 at a distance q from a wall that takes `bend` of its mean: its mean distance m
+/// and variance v_n across the wall (in a concave one, that at a flat wall), and their derivatives
+/// by q.
+struct Bent {
+  double mean, slope, across, across_slope;
+
+  Bent(double q, double bend) {
+    const Profile at = profile(q);
+    const double beyond = 1 - at.erf, bell = at.slope / (2 * inverse_sqrt_pi);
+    const double taken = (1 - 2 * q * q) * beyond + q * at.slope, convex = std::max(bend, 0.0);
+    constexpr double part = 4 * inverse_sqrt_pi / 3;
+    mean = at.mean - bend * taken;
+    slope = at.erf + 4 * bend * q * beyond;
+    const double least = at.mean - convex * taken;
+    across = 0.5 + q * q - least * least -
+             part * convex * ((1 - 2 * q * q) * bell + 2 / inverse_sqrt_pi * q * q * q * beyond);
+    across_slope = 2 * q - 2 * least * (at.erf + 4 * convex * q * beyond) +
+                   6 * part * convex * q * (bell - q * beyond / inverse_sqrt_pi);
+  }
+};
+
+/// Mean distance and variance across the wall.
+struct MeanAndVariance {
+  double mean, across;
+};
+inline MeanAndVariance moments(double y, double s, double kappa) {
+  if (!applies(y, s)) return {y, s * s / 2};
+  const Bent at(y / s, bend(s, kappa));
+  return {s * at.mean, s * s * at.across};
 }
 
-inline double variance_across(double y, double s, double m) {
-  return s * s / 2 + y * y - m * m;
+inline double mean_distance(double y, double s, double kappa) {
+  return moments(y, s, kappa).mean;
+}
+
+/// The curvature that a core of the variance v_t along the wall follows: at most 1/sqrt(8 v_t).
+inline double followed(double along, double kappa) {
+  const double most = 1 / std::sqrt(8 * along);
+  return std::clamp(kappa, -most, most);
+}
+
+/// The sag of a core of these variances, its own across the wall and along it.
+inline double sag(double across, double along, double kappa) {
+  return followed(along, kappa) / 2 * (along - across);
 }
 
 /// What is folded: a Gaussian by the distance of its centre and its width.
@@ -62,17 +109,19 @@ struct Gaussian {
   double y, s;
 };
 
-/// The core whose mean distance is m: the centre is found for the given s; where even a centre on
-/// the wall lies too far out (m < s/sqrt(pi)), the core is squeezed, never below `thinnest` of it.
-Gaussian place(double m, double s, double kappa);
+/// The core whose mean distance is m - k s^2/4, k the curvature that it follows: the centre is
+/// found for the given s; where even a centre on the wall lies too far out, the core is squeezed,
+/// never below `thinnest` of it. (A core whose mean is at a distance d has m = d + k v_t/2, whatever
+/// its width across the wall; k = 0: a round one, m its mean distance.)
+Gaussian place(double m, double s, double kappa, double k = 0);
 
-/// The core whose mean distance is m and whose variance across the wall is v_n. A wider
-/// distribution than that of a centre on the wall, v_n > (pi/2 - 1) m^2, is none of a folded core:
-/// it gets the mean alone. No mean is nearer than `thinnest` sqrt(2 v_n/pi).
+/// The same core whose variance across the wall is v_n. A wider distribution than that of a centre
+/// on the wall, v_n > (pi/2 - 1) m^2 at a flat one, is none of a folded core: it gets the mean
+/// alone. No mean is nearer than `thinnest` sqrt(2 v_n/pi).
 ///
 /// error  1e-9 of the mean; of v_n 1e-8 at a flat wall, 1e-6 at a bent one
 ///        (tests/vortex/cores/folded_centroid.cpp)
-Gaussian place_with_variance(double m, double v_n, double kappa);
+Gaussian place_with_variance(double m, double v_n, double kappa, double k = 0);
 
 }  // namespace folded
 }  // namespace vortree::vortex

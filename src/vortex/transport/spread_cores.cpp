@@ -2,17 +2,17 @@
 
 #include <cmath>
 
+#include "vortex/cores/folded_centroid.hpp"
 #include "vortex/cores/folded_core.hpp"
 
 namespace vortree::vortex {
 namespace {
 
-/// How much of its tilt a core on the wall keeps.
-double tilt_kept(const body::WallPoint& w, double s2, double nu, double dt) {
-  const double s = std::sqrt(s2), m = folded::mean_distance(w.distance, s, w.curvature);
-  const double v_n = folded::variance_across(w.distance, s, m);
-  const double at_wall = 2 * folded::inverse_sqrt_pi / s * std::exp(-w.distance * w.distance / s2);
-  return std::exp(-nu * dt * at_wall * m / v_n);
+/// How much of its tilt a core keeps that is centred at a distance y from a wall.
+double tilt_kept(double y, double s2, double kappa, double nu, double dt) {
+  const double s = std::sqrt(s2), at_wall = 2 * folded::inverse_sqrt_pi / s * std::exp(-y * y / s2);
+  const folded::MeanAndVariance folded = folded::moments(y, s, kappa);
+  return std::exp(-nu * dt * at_wall * folded.mean / folded.across);
 }
 
 }  // namespace
@@ -28,9 +28,9 @@ void spread_cores(Blobs& blobs, double nu, double dt, const body::Shape* wall) {
         !wall->beyond(blobs.centre(i), folded::support * blobs.sigma[i])) {
       const body::WallPoint w = wall->nearest(blobs.centre(i));
       Covariance v = core.covariance(w.normal);
-      if (const double across = half_way + 2 * core.deviator.across(w.normal);
-          folded::applies(w.distance, std::sqrt(across)))
-        v.nt *= tilt_kept(w, across, nu, dt);
+      const double across = half_way + 2 * core.deviator.across(w.normal);
+      const double y = height(w, v);
+      if (folded::applies(y, std::sqrt(across))) v.nt *= tilt_kept(y, across, w.curvature, nu, dt);
       core = core_of(v, w.normal);
     }
     blobs.put(i, blobs.centre(i), blobs.gamma[i], core);

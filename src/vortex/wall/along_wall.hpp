@@ -9,7 +9,8 @@ namespace vortree::vortex {
 
 /// A core beside a wall, as the wall sees it.
 ///
-/// at      the wall point nearest to its centre
+/// at      the wall point nearest to its centre, as far away as the core's height
+///         (folded_centroid.hpp)
 /// across  its width along the normal, sigma_n [m]
 /// along   its width along the wall, sigma_t [m]
 struct CoreAtWall {

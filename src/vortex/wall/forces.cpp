@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/ordered_sum.hpp"
+#include "vortex/cores/folded_centroid.hpp"
 #include "vortex/cores/folded_core.hpp"
 #include "vortex/wall/along_wall.hpp"
 
@@ -32,8 +33,9 @@ void for_each_at_wall(const Blobs& blobs, const Wall& wall, std::size_t first, s
   for (std::size_t j = first; j < last; ++j) {
     const Core core = blobs.core(j);
     if (wall.shape().beyond(blobs.centre(j), folded::support * widest(core))) continue;
-    const body::WallPoint w = wall.shape().nearest(blobs.centre(j));
+    body::WallPoint w = wall.shape().nearest(blobs.centre(j));
     const Covariance v = core.covariance(w.normal);
+    w.distance = height(w, v);
     const double across = std::sqrt(2 * v.nn), along = std::sqrt(2 * v.tt);
     if (folded::applies(w.distance, across)) use(CoreAtWall{blobs.gamma[j], w, across, along});
   }

@@ -1,6 +1,7 @@
 #include "vortex/wall/vorticity.hpp"
 
 #include "fmm/vorticity.hpp"
+#include "vortex/cores/folded_centroid.hpp"
 #include "vortex/cores/folded_core.hpp"
 #include "vortex/wall/tuning.hpp"
 
@@ -12,8 +13,11 @@ void vorticity(const Blobs& blobs, const body::Shape* wall, tree::Points at,
   for (std::size_t i = 0; wall && i < blobs.size(); ++i) {
     if (wall->beyond(blobs.centre(i), folded::support * blobs.sigma[i])) continue;
     const body::WallPoint w = wall->nearest(blobs.centre(i));
-    if (folded::applies(w.distance, blobs.sigma[i]))
-      all.append(blobs.centre(i) - (2 * w.distance) * w.normal, blobs.gamma[i], blobs.sigma[i]);
+    const double y = height(w, blobs.core(i).covariance(w.normal));
+    if (!folded::applies(y, blobs.sigma[i])) continue;
+    const Vec2 foot = blobs.centre(i) - w.distance * w.normal;
+    all.put(i, foot + y * w.normal, blobs.gamma[i], blobs.core(i));
+    all.append(foot - y * w.normal, blobs.gamma[i], blobs.sigma[i]);
   }
   fmm::vorticity({all.x, all.y, all.gamma, all.sigma}, at, omega, core_cut_off);
   for (std::size_t i = 0; wall && i < at.size(); ++i)

@@ -141,16 +141,18 @@ TEST_CASE("a window leaves no pair that may merge, and conserves what pairs cons
   CHECK(is.second == Approx(was.second).epsilon(1e-14));
 }
 
-TEST_CASE("a merger beside the wall keeps mean and mean square of the distance, and all spread") {
-  std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, false}, {{0, 0.3}, {0, 1}, false}};
+TEST_CASE("a merger beside the wall keeps mean and variance of the distance, and all spread") {
+  std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, 1.2, 0.5, false},
+                              {{0, 0.3}, {0, 1}, 1.9, 0.7, false}};
   const double w = 0.25, v = 0.75, both = w * v;
-  AdaptedBlob p{0, 1, 1, 0.04, {0.002, 0.001}, 0, 1}, away{2, 1.4, 3, 0.08, {0, -0.003}, 1, 1},
-      q = away;
+  AdaptedBlob p{0, 1, 1, 0.04, {0.002, 0.001}, 0, 1, 1}, q{2, 1.4, 3, 0.08, {0, -0.003}, 1, 1, 1};
   merge(p, q, at_wall);
   CHECK(p.gamma == 4);
   CHECK(p.x == Approx(1.5));
   CHECK(p.y == Approx(1.3));
   CHECK(p.y + at_wall[0].offset.y == Approx(w * 1.1 + v * 1.7));
+  CHECK(at_wall[0].mean == Approx(w * 1.2 + v * 1.9).epsilon(1e-14));
+  CHECK(at_wall[0].across == Approx(w * 0.5 + v * 0.7 + both * 0.7 * 0.7).epsilon(1e-14));
   const Covariance merged = p.core().covariance({0, 1});
   CHECK(merged.nn + 1.3 * 1.3 ==
         Approx(w * (0.02 - 0.002 + 1 * 1) + v * (0.04 + 1.4 * 1.4)).epsilon(1e-14));
@@ -158,6 +160,15 @@ TEST_CASE("a merger beside the wall keeps mean and mean square of the distance, 
   // Along the wall is -x; the tilt is that of folded centroids, 0.6 apart.
   CHECK(merged.nt == Approx(w * -0.001 + v * 0.003 + both * 0.6 * -2).epsilon(1e-14));
   CHECK(at_wall[0].moved);
+}
+
+TEST_CASE("a free blob that merges with one beside the wall is so much farther as it lies") {
+  std::vector<AtWall> at_wall{{{0, 0.1}, {0, 1}, 1.2, 0.5, false}};
+  AdaptedBlob p{0, 1, 1, 0.04, {}, 0, 1, 1}, q{0, 2, 1, 0.04, {}, no_wall, 1, 1};
+  AdaptedBlob r = q;
+  merge(r, p, at_wall);
+  CHECK(at_wall[0].mean == Approx(1.2 + 0.9 / 2).epsilon(1e-14));
+  CHECK(at_wall[0].across == Approx(0.5 * (0.5 + 0.02) + 0.9 * 0.9 / 4).epsilon(1e-14));
 }
 
 }  // namespace vortree::vortex::merge_kernel

@@ -67,14 +67,14 @@ TEST_CASE("mean and variance of a folded core at a flat wall are the quadrature'
       const double m = folded::mean_distance(y, s, 0);
       CHECK(std::abs(whole - 1) < 1e-10);
       CHECK(std::abs(m - mean) < 1e-10 * s);
-      CHECK(std::abs(folded::variance_across(y, s, m) - (square - mean * mean)) < 1e-10 * s * s);
+      CHECK(std::abs(folded::moments(y, s, 0).across - (square - mean * mean)) < 1e-10 * s * s);
     }
   }
 }
 
 TEST_CASE("a core far from the wall is free: its mean is its centre, its variance sigma^2/2") {
   CHECK(folded::mean_distance(0.41, 0.1, 2.0) == 0.41);
-  CHECK(folded::variance_across(0.41, 0.1, 0.41) == Approx(0.1 * 0.1 / 2).epsilon(1e-15));
+  CHECK(folded::moments(0.41, 0.1, 2.0).across == Approx(0.1 * 0.1 / 2).epsilon(1e-15));
   const folded::Gaussian free = folded::place(0.41, 0.1, 2.0);
   CHECK(free.y == 0.41);
   CHECK(free.s == 0.1);
