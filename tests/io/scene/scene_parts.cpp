@@ -34,6 +34,22 @@ TEST_CASE("an accuracy chooses what is not written, and only that") {
   CHECK(own(parse(plain, {"accuracy=0.1"})).cores == own(parse(plain)).cores);
 }
 
+TEST_CASE("steps that the turn at the wall bounds go with the cube root of the accuracy") {
+  const auto chosen = [](const std::string& reynolds, const std::string& accuracy) {
+    return parse("accuracy = " + accuracy + "\n[flow]\nreynolds = " + reynolds +
+                 "\nstream = [1, 0]\n[body]\nradius = 0.5\n[time]\nend = 1e4\n");
+  };
+  const Scene fast = chosen("8800", "0.01");
+  CHECK(fast.time.dt == Approx(0.005).epsilon(1e-4));
+  CHECK(chosen("8800", "0.00125").time.dt == Approx(0.0025).epsilon(1e-4));
+  CHECK(chosen("8800", "0.4").time.dt == Approx(chosen("8800", "0.05").time.dt));
+  // q = 1/4
+  CHECK(own(fast).cores.sigma_max == Approx(std::sqrt(6.5 * fast.flow.nu * fast.time.dt)));
+  const Scene slow = chosen("100", "0.01");
+  CHECK(slow.time.dt == Approx(0.02).epsilon(1e-4));
+  CHECK(own(slow).cores.sigma_max == Approx(std::sqrt(8 * slow.flow.nu * slow.time.dt)));
+}
+
 TEST_CASE("a Reynolds number needs a body and a stream, and no other viscosity beside it") {
   CHECK(refused(with("nu = 1e-3", "reynolds = 10")) ==
         "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream, "
