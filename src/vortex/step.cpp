@@ -107,9 +107,9 @@ Velocities advecting_velocity(const Blobs& blobs, const FoldedBlobs& at, const P
   return u;
 }
 
-/// A sheet at the wall, and velocities at points of the fluid.
+/// Slip at the wall, the sheet that cancels it there, and velocities at points of the fluid.
 struct AtRest {
-  std::vector<double> sheet;
+  std::vector<double> slip, sheet;
   Velocities u;
 };
 
@@ -117,13 +117,13 @@ struct AtRest {
 /// blobs and sheet together.
 AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
                   Vec2 stream) {
-  AtRest result{{}, Velocities(points.size())};
+  AtRest result{{}, {}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
   const fmm::Plan plan(as_sources(blobs, at), at_points(p.sums));
   plan.velocity_bare(p.wall->samples(), at_samples.u, at_samples.v);
   plan.velocity(fmm::Targets{points.x, points.y, {}}, result.u.u, result.u.v);
-  const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
-  result.sheet = p.wall->sheet(slip, sheet_circulation(blobs, p));
+  result.slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
+  result.sheet = p.wall->sheet(result.slip, sheet_circulation(blobs, p));
   add_stream(result.u, stream);
   p.wall->add_velocity(result.sheet, at_points(p.sums), points, result.u);
   add_body(result.u, points, of_body(p));
@@ -142,20 +142,40 @@ std::vector<double> sharpened(std::span<const double> sheet, double variance) {
   return result;
 }
 
-/// Blobs of this core across the wall; along it as long as a panel, which leaves a ripple of 1e-4
-/// between neighbors.
-void release(Blobs& blobs, std::span<const double> sheet, const Wall& wall, double core) {
+/// What a sheet becomes: blobs of this core across the wall; along it as long as a panel, which
+/// leaves a ripple of 1e-4 between neighbors.
+Blobs released(std::span<const double> sheet, const Wall& wall, double core) {
   const double b = wall.panel_length(), along = std::max(core, b);
   const Covariance v{core * core / 2, 0, along * along / 2};
   const std::vector<double> sharp = sharpened(sheet, (v.tt - v.nn) / (b * b));
+  Blobs blobs;
   for (std::size_t i = 0; i < wall.panels(); ++i) {
     const body::WallPoint at = wall.shape().nearest(wall.middle(i));
     blobs.append(wall.middle(i) - folded::sag(v.nn, v.tt, at.curvature) * at.normal, sharp[i] * b,
                  core_of(v, at.normal));
   }
+  return blobs;
 }
 
-Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
+/// The sheet that cancels the slip from where it acts once it is released, some way m off the wall:
+/// the sheet at the wall would leave the share n m/R of mode n of a circle's slip, this one its
+/// square.
+std::vector<double> as_released(const AtRest& at_rest, const Problem& p, double core) {
+  std::vector<double> sheet = at_rest.sheet;
+  const Blobs fresh = released(sheet, *p.wall, core);
+  const FoldedBlobs at = fold(fresh, &p.wall->shape());
+  Velocities at_samples(2 * p.wall->panels());
+  fmm::Plan(as_sources(fresh, at), at_points(p.sums))
+      .velocity_bare(p.wall->samples(), at_samples.u, at_samples.v);
+  std::vector<double> left = p.wall->slip({}, at_samples, at, fresh.gamma);
+  for (std::size_t i = 0; i < left.size(); ++i) left[i] += at_rest.slip[i];
+  const std::vector<double> more = p.wall->sheet(left, 0);
+  for (std::size_t i = 0; i < more.size(); ++i) sheet[i] += more[i];
+  return sheet;
+}
+
+/// `impulsive`: the slip has come about at once, and so has the sheet, on the wall.
+Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core, bool impulsive) {
   const Blobs all = with_drifting(blobs, p);
   const FoldedBlobs at = fold(all, &p.wall->shape());
   Wake wake;
@@ -163,14 +183,17 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core) {
   const flow::WakeLine line =
       stream ? flow::wake_line(p.wall->middles(), p.wall->shape(), p.flow.stream)
              : flow::WakeLine{};
-  AtRest at_rest = with_sheet(line.points(), all, at, p, p.flow.stream_at(time));
-  wake.sheet = std::move(at_rest.sheet);
+  const AtRest at_rest = with_sheet(line.points(), all, at, p, p.flow.stream_at(time));
+  wake.sheet = impulsive ? at_rest.sheet : as_released(at_rest, p, core);
+  const Blobs fresh = released(wake.sheet, *p.wall, core);
   wake.bubble_length = flow::bubble_length(line, at_rest.u.u, at_rest.u.v);
-  wake.moment = invariants(blobs, at).moment + p.wall->first_moment(wake.sheet) + p.outflow.moment;
+  const Vec2 of_sheet =
+      impulsive ? p.wall->first_moment(wake.sheet) : invariants(fresh, &p.wall->shape()).moment;
+  wake.moment = invariants(blobs, at).moment + of_sheet + p.outflow.moment;
   wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
   wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
-  release(blobs, wake.sheet, *p.wall, core);
+  append(blobs, fresh);
   return wake;
 }
 
@@ -225,7 +248,8 @@ Wake start(Blobs& blobs, const Problem& p) {
   // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
   // step.
   const double dt = p.dt * Parts(p, 1).last;
-  return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * dt)) : Wake{};
+  return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * dt), true)
+                : Wake{};
 }
 
 namespace {
@@ -292,7 +316,7 @@ Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phas
     scatter(blobs, p, number);
   if (p.wall) {
     phase("wall");
-    wake = cancel_slip(blobs, p, p.time + p.dt, p.sigma_0);
+    wake = cancel_slip(blobs, p, p.time + p.dt, p.sigma_0, false);
   }
   if (spreads) {
     phase("split");

@@ -73,8 +73,8 @@ struct Problem {
 /// What one step leaves beside the blobs; but for `outflow`, empty without a wall.
 ///
 /// sheet           released at the end of the step [m/s], a value a panel
-/// moment          sum gamma X of blobs, sheet and what has left, before the release; forces
-///                 are its rate of change
+/// moment          sum gamma X of blobs, released sheet and what has left; forces are its rate of
+///                 change
 /// wall_vorticity  a value a panel [1/s]
 /// pressure        force on the body during the step, in its own frame, per unit density
 ///                 [m^3/s^2] (motion.hpp)

@@ -7,6 +7,7 @@
 #include "cylinder_flow.hpp"
 #include "exact/cylinder_drag.hpp"
 #include "flows.hpp"
+#include "fmm/plan.hpp"
 #include "vortex/cores/folded_core.hpp"
 #include "vortex/step.hpp"
 
@@ -163,6 +164,33 @@ TEST_CASE("a whole run past a cylinder is the same bits for any number of thread
   const auto run = [&] { return impulsive_start(wall, velocity, 5).blobs; };
   const Blobs once = test::with_threads(1, run);
   CHECK(once == test::with_threads(2, run));
+}
+
+TEST_CASE("what a step has released cancels the slip from where it is, some way off the wall") {
+  const vortex::Wall wall(body::circle({}, 0.5), 200);
+  Problem p =
+      problem_of(wall, fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct});
+  p.flow.nu = 0.05;  // so that it is a tenth of the radius away
+  p.dt = 0.08;
+  p.sigma_0 = std::sqrt(2 * p.flow.nu * p.dt);
+  p.splitting.sigma_max = 10;
+  p.merging.tolerance = 0;
+  Blobs blobs;
+  start(blobs, p);
+  const vortex::Wake wake = step(blobs, p, 100, [](std::string_view) {});
+  const vortex::FoldedBlobs at = fold(blobs, &wall.shape());
+  vortex::Velocities bare(2 * wall.panels());
+  fmm::Plan(fmm::Sources{at.x, at.y, blobs.gamma, at.sigma}, p.sums)
+      .velocity_bare(wall.samples(), bare.u, bare.v);
+  double slip = 0, sheet = 0;
+  for (const double s : wall.slip(p.flow.stream, bare, at, blobs.gamma))
+    slip = std::max(slip, std::abs(s));
+  for (const double s : wake.sheet) sheet = std::max(sheet, std::abs(s));
+  // A sheet that cancels it on the wall leaves a tenth, this one the square of that.
+  const double away = p.sigma_0 * vortex::folded::inverse_sqrt_pi / 0.5;
+  CAPTURE(slip, sheet, away);
+  CHECK(away == Approx(0.1).epsilon(0.1));
+  CHECK(slip < away * away * sheet);
 }
 
 TEST_CASE("velocity at points is that of stream, blobs and the sheet that holds the body at rest") {

@@ -111,8 +111,8 @@ struct Gaussian {
 
 /// The core whose mean distance is m - k s^2/4, k the curvature that it follows: the centre is
 /// found for the given s; where even a centre on the wall lies too far out, the core is squeezed,
-/// never below `thinnest` of it. (A core whose mean is at a distance d has m = d + k v_t/2, whatever
-/// its width across the wall; k = 0: a round one, m its mean distance.)
+/// never below `thinnest` of it. (A core whose mean is at a distance d has m = d + k v_t/2,
+/// whatever its width across the wall; k = 0: a round one, m its mean distance.)
 Gaussian place(double m, double s, double kappa, double k = 0);
 
 /// The same core whose variance across the wall is v_n. A wider distribution than that of a centre
