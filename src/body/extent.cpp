@@ -61,7 +61,7 @@ std::array<double, 2> half_extent(const BodySettings& body) {
 }
 
 bool covers(const BodySettings& body, const std::array<double, 2>& point) {
-  return outline_of(body)->distance({point[0] - body.centre[0], point[1] - body.centre[1]}) < 0;
+  return outline_of(body)->distance({point[0] - body.centre[0], point[1] - body.centre[1]}) <= 0;
 }
 
 }  // namespace vortree::body

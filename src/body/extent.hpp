@@ -41,7 +41,7 @@ struct Tip {
 /// just fills, to 1e-7 of its length.
 [[nodiscard]] std::array<double, 2> half_extent(const BodySettings& body);
 
-/// Whether a point of the scene lies within the body.
+/// Whether a point of the scene lies within the body or on its wall.
 [[nodiscard]] bool covers(const BodySettings& body, const std::array<double, 2>& point);
 
 }  // namespace vortree::body

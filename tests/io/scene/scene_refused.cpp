@@ -253,8 +253,8 @@ TEST_CASE("a reference whose notes tell another Reynolds number is doubted") {
   };
   for (const char* note : {"# Re = U D / nu = 20, symmetric\n", "# solved for Re = 20; alone\n",
                            "# made by hand\n#\n# Re = 2e1\n"}) {
-    box.write("known.csv", note + std::string("T,C_D\n"));
-    box.write("other.csv", "# Re = 30\nT,C_L\n");
+    box.write("known.csv", note + std::string("T,C_D\n1,2\n"));
+    box.write("other.csv", "# Re = 30\nT,C_L\n1,2\n");
     CHECK(doubts("seed=1").empty());
     REQUIRE(doubts("flow.reynolds=1e5").size() == 1);
     CHECK_THAT(doubts("flow.reynolds=1e5")[0],
@@ -263,7 +263,7 @@ TEST_CASE("a reference whose notes tell another Reynolds number is doubted") {
     CHECK(doubts("check.lift_reference=other.csv").size() == 1);
   }
   for (const char* silent : {"", "# Re = many\n", "# where Re is known\n"}) {
-    box.write("known.csv", silent + std::string("T,C_D\n"));
+    box.write("known.csv", silent + std::string("T,C_D\n1,2\n"));
     CHECK(doubts("flow.reynolds=1e5").empty());
   }
 }
@@ -283,7 +283,7 @@ TEST_CASE("a reference file is a table with the columns that the check asks for"
   CHECK(refused_with({}) == at + ":2: 2 cells; 1 columns were expected");
   box.write("known.csv", "T,C_L\n1,2\n");
   CHECK(refused_with({}) == at + ": there is no column C_D; the file has T, C_L");
-  for (const std::string none : {"T,C_D\n1,nan\n2,nan\n", "T,C_D\n1,inf\n"}) {
+  for (const std::string none : {"T,C_D\n1,nan\n2,nan\n", "T,C_D\n1,inf\n", "T,C_D\n"}) {
     box.write("known.csv", none);
     CHECK_THAT(refused_with({}), Contains("has no number"));
   }
@@ -299,6 +299,10 @@ TEST_CASE("a reference file is a table with the columns that the check asks for"
   CHECK_THAT(refused_with({"check.separation_max_deg=1"}), Contains("no column sep_deg"));
   CHECK_THAT(refused_with({"check.lift_reference=known.csv"}),
              EndsWith("no column C_L; the file has T, C_D"));
+  box.write("known.csv", "T,C_D,C_L\n1,2,0\n2,2,nan\n");
+  CHECK_THAT(refused_with({"check.lift_reference=known.csv"}),
+             EndsWith("the column C_L is 0 throughout: nothing is relative to that"));
+  box.write("known.csv", "T,C_D\n1,2\n");
   for (const std::string key : {"drag", "lift", "wall_vorticity", "moments"})
     CHECK(refused_with({"check." + key + "_reference=."}) ==
           "command line: check." + key + "_reference=.: check." + key + "_reference is \".\"; " +
