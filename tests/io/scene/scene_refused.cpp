@@ -186,7 +186,7 @@ TEST_CASE("a reference file is looked for beside the scene, and must be there") 
   CHECK(refusal([&] { (void)load_scene(path, by_vortices()); }) ==
         path.string() + ":18: check.drag_reference is \"reference/drag.csv\"; there is no file " +
             file);
-  box.write("reference/drag.csv", "T,C_D\n");
+  box.write("reference/drag.csv", "T,C_D\n1,2\n");
   const Scene scene = load_scene(path, by_vortices());
   CHECK(reference_path(scene, *scene.check.drag_reference) == file);
   const std::vector<std::string> mistyped{"check.drag_reference='reference/darg.csv'"};
@@ -205,8 +205,8 @@ TEST_CASE("a reference may be named by the Reynolds number, which need not be kn
   const auto with = [&](const std::string& override) {
     return load_scene(path, by_vortices(), std::vector<std::string>{override});
   };
-  box.write("drag_re20.csv", "T,C_D\n");
-  box.write("drag_re40.5.csv", "T,C_L\n");
+  box.write("drag_re20.csv", "T,C_D\n1,2\n");
+  box.write("drag_re40.5.csv", "T,C_L\n1,2\n");
   const Scene known = with("flow.reynolds=2e1"), unknown = with("flow.reynolds=30");
   CHECK(reference_path(known, written) == box / "drag_re20.csv");
   CHECK_FALSE(lacks_reference(known, written));
@@ -221,7 +221,7 @@ TEST_CASE("a reference may be named by the Reynolds number, which need not be kn
 TEST_CASE("a name by the Reynolds number that no file has for any number is mistyped") {
   const Sandbox box;
   std::filesystem::create_directory(box / "known");
-  box.write("known/drag_re20.csv", "T,C_D\n");
+  box.write("known/drag_re20.csv", "T,C_D\n1,2\n");
   const auto path =
       box.write("scene.toml",
                 "[flow]\nreynolds = 20.0\nstream = [1, 0]\n[body]\nradius = 0.5\n"
