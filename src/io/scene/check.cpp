@@ -147,14 +147,13 @@ struct Reference {
   std::optional<std::string> CheckSettings::*written;
   std::vector<ReferenceColumn> columns;  // the first: times
   bool many_at_once = false;             // rows of one time, of places along a wall
-  bool relative = false;                 // deviations are, to the largest of the last column
 };
 
 const std::array references{
     Reference{"check.drag_reference",
               &C::drag_reference,
               {{"T"}, {"C_D"}, {"L_over_D", &C::bubble_max}, {"sep_deg", &C::separation_max_deg}}},
-    Reference{"check.lift_reference", &C::lift_reference, {{"T"}, {"C_L"}}, false, true},
+    Reference{"check.lift_reference", &C::lift_reference, {{"T"}, {"C_L"}}},
     Reference{"check.wall_vorticity_reference",
               &C::wall_vorticity_reference,
               {{"T"}, {"theta_deg"}, {"omega_R_over_U"}},
@@ -179,13 +178,6 @@ void require_values(const std::vector<double>& values, std::string_view name) {
     throw InputError(fmt::format("the column {} has no number", name));
 }
 
-/// The largest of them is what deviations are relative to.
-void require_size(const std::vector<double>& values, std::string_view name) {
-  if (std::ranges::all_of(values, [](double value) { return !(std::abs(value) > 0); }))
-    throw InputError(
-        fmt::format("the column {} is 0 throughout: nothing is relative to that", name));
-}
-
 /// throws  InputError: no such file, no table, no such column, none of it or in no order
 void read_columns(const std::filesystem::path& path, const Reference& reference,
                   const CheckSettings& check) {
@@ -193,8 +185,6 @@ void read_columns(const std::filesystem::path& path, const Reference& reference,
   const Table table(path);
   for (const auto& [name, asked] : reference.columns)
     if (!asked || check.*asked) require_values(table.column(name), name);
-  if (reference.relative)
-    require_size(table.column(reference.columns.back().name), reference.columns.back().name);
   const std::string_view time = reference.columns.front().name;
   require_course(table.column(time), time, reference.many_at_once);
 }
