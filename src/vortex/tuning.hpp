@@ -9,8 +9,8 @@ namespace vortree::vortex {
 
 /// Substeps of the first step beside a wall; the last of step n is n/this of it: an impulsive start
 /// changes the flow as fast as it is young. Fewer miss how it changes: at Re = 40 with an accuracy
-/// of 0.02 the drag of the first eight steps is off by 1.3 % at most, of twelve, with 12, by 0.7 %;
-/// to T = 1.6 that takes 1.6 times as long.
+/// of 0.02 the drag of the first eight steps is off by 0.7 % at most, of twelve, with 12, by 0.4 %;
+/// to T = 1.6 that takes 1.8 times as long.
 inline constexpr std::uint64_t first_substeps = 8;
 /// Blobs of less circulation beside a body are let go [U D]: they add up to less than the sums of
 /// velocities err by, and would outnumber the others (vortex/blobs/outflow.hpp).
