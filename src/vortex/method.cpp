@@ -14,6 +14,7 @@ std::unique_ptr<flow::Method> VortexMethod::clone() const {
 
 void VortexMethod::choose(flow::Case& of, const flow::Written& written) {
   choose_missing(of, settings_, written);
+  cores_written_ = written("cores", "sigma_max");
 }
 
 void VortexMethod::refuse(const flow::Case& of) const {
@@ -25,7 +26,9 @@ void VortexMethod::refuse_beyond(const flow::Case& of, double memory) const {
 }
 
 flow::Warnings VortexMethod::warnings(const flow::Case& of) const {
-  return vortex::warnings({of, settings_});
+  flow::Warnings list = vortex::warnings({of, settings_});
+  if (cores_written_) doubt_accuracy(list, {of, settings_});
+  return list;
 }
 
 std::unique_ptr<flow::Solver> VortexMethod::begin(const flow::Case& of, double memory) const {

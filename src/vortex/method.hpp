@@ -24,6 +24,7 @@ class VortexMethod final : public flow::Method {
 
  private:
   VortexSettings settings_;
+  bool cores_written_ = false;  // in the scene, whatever its accuracy would choose
 };
 
 }  // namespace vortree::vortex

@@ -73,6 +73,7 @@ Setup setup_of(const VortexCase& scene) {
       .dt = scene.time.dt,
       .scheme = scene.time.scheme,
       .advecting_cores = scene.velocity.cores == PairCores::both ? std::numbers::sqrt2 : 1,
+      .strained_for = strained_for(scene),
       .sigma_0 = scene.cores.sigma_0,
       .diffusion = scene.diffusion.kind,
       .area = scene.initial ? std::pow(scene.initial->spacing * scene.cores.sigma_0, 2) : 0,

@@ -10,6 +10,7 @@
 #include "flow/near_wake.hpp"
 #include "fmm/plan.hpp"
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/transport/convect_strained.hpp"
 #include "vortex/transport/particle_exchange.hpp"
 #include "vortex/transport/random_walk.hpp"
 #include "vortex/transport/spread_cores.hpp"
@@ -197,10 +198,17 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core, bool 
   return wake;
 }
 
+/// Whether cores of free space are strained.
+bool strains_freely(const Problem& p) {
+  return !p.wall && p.flow.nu > 0 && p.strained_for > 0 && p.diffusion == Diffusion::core_spreading;
+}
+
 /// Splitting, with what a step spreads.
 Splitting splitting_in(const Problem& p) {
   Splitting splitting = p.splitting;
   splitting.spread = 4 * p.flow.nu * p.dt;
+  if (strains_freely(p))
+    splitting.strained_steps = static_cast<std::uint64_t>(std::max(p.strained_for / p.dt, 1.0));
   return splitting;
 }
 
@@ -275,6 +283,15 @@ void carry(Blobs& blobs, Problem& p, const body::Shape* shape, bool strains) {
   if (p.box) drift(p.drifting, way, 4 * p.flow.nu * p.dt, *p.box);
 }
 
+/// Carries all of free space for a step, and strains their cores.
+void carry_strained(Blobs& blobs, const Problem& p) {
+  const auto velocity = [&](const Blobs& parts, double after, Gradients& gradients) {
+    return advecting_velocity(parts, {parts.x, parts.y, parts.sigma}, p,
+                              p.flow.stream_at(p.time + after), &gradients);
+  };
+  convect_strained(blobs, velocity, p.scheme, p.dt);
+}
+
 /// Radius around the origin within which the wall lies.
 double radius_of(const Wall& wall) {
   double square = 0;
@@ -305,11 +322,8 @@ Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phas
   Wake wake;
   phase("convect");
   const bool spreads = p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading;
-  // In free space cores stay round: pairs that move with the mean over both cores conserve energy
-  // and the second moment, which strain without its pull on the centres would not.
-  const bool strains = spreads && shape;
   if (spreads) spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
-  carry(blobs, p, shape, strains);
+  strains_freely(p) ? carry_strained(blobs, p) : carry(blobs, p, shape, spreads && shape);
   if (spreads)
     spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
   else if (p.flow.nu > 0)
@@ -360,7 +374,8 @@ Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p
   const FoldedBlobs at = fold(all, p.wall ? &p.wall->shape() : nullptr);
   if (p.wall) return with_sheet(points, all, at, p, stream).u;
   Velocities u(points.size());
-  fmm::Plan(as_sources(blobs, at), at_points(p.sums))
+  const Blobs parts = Halves(all).parts;
+  fmm::Plan({parts.x, parts.y, parts.gamma, parts.sigma}, at_points(p.sums))
       .velocity(fmm::Targets{points.x, points.y, {}}, u.u, u.v);
   add_stream(u, stream);
   return u;

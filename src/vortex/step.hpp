@@ -46,6 +46,8 @@ struct Flow {
 /// advecting_cores  of a blob's core, that with which it advects others: 1, or sqrt(2), which in
 ///           the mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
 ///           averaged over its own core, and the energy of free space is conserved too
+/// strained_for  in free space, for how long cores are strained until they are laid onto lattices
+///           anew, if diffusion has not made them wide enough before [s]; 0: cores stay round
 /// sums      how velocities are summed
 /// sigma_0   core of blobs released at the wall, or of those that exchange circulation [m]
 /// area      of each blob that exchanges circulation [m^2]
@@ -56,6 +58,7 @@ struct Problem {
   flow::Scheme scheme = flow::Scheme::rk2;
   std::size_t most_blobs = 20'000'000;
   double advecting_cores = 1;
+  double strained_for = 0;
   double sigma_0;
   Diffusion diffusion = Diffusion::core_spreading;
   double area = 0;
@@ -103,10 +106,11 @@ struct Multiplied : std::runtime_error {
 /// The impulsive start: the sheet that cancels the slip of stream and blobs at t = 0, released.
 Wake start(Blobs& blobs, const Problem& problem);
 
-/// One step of length dt: half the diffusion, convection, the other half, release of wall
-/// vorticity, splitting, merging. Beside a wall the first steps, from number 1, are done in 8, 4,
-/// 3, 2, 2, 2 and 2 substeps: the last of step n is n/8 of it, the others are alike and no longer;
-/// cores and mergers are as much finer. An impulsive start changes the flow as fast as it is young.
+/// One step of length dt: half the diffusion, convection (in free space of strained cores, if they
+/// may be), the other half, release of wall vorticity, splitting, merging. Beside a wall the first
+/// steps, from number 1, are done in 8, 4, 3, 2, 2, 2 and 2 substeps: the last of step n is n/8 of
+/// it, the others are alike and no longer; cores and mergers are as much finer. An impulsive start
+/// changes the flow as fast as it is young.
 /// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const tree::Phase& phase);
 

@@ -19,6 +19,13 @@ inline constexpr double faintest_kept = 1e-12;
 /// has coarser lattices (vortex/adapt/laying.hpp). From 0.02 to 0.1 a free vortex keeps its noise
 /// of 0.19 % and its bias, with 0.61 to 0.55 of the blobs; at 1 it has 0.4 %.
 inline constexpr double faint_vorticity = 0.05;
+/// Cores of a free vortex are strained for so long, times its mean vorticity, until they are laid
+/// onto lattices anew. Longer leaves them so long that two halves miss their fourth moments,
+/// shorter adds what each lattice errs by: at 10, 4 and 2.4 the quadrupole of gaussian_ellipse with
+/// cores of half its width is off by 4, 0.7 and 1.4 %.
+inline constexpr double strain_turn = 4;
+/// Lattices on account of strain, at most, in the time in which diffusion would ask for one.
+inline constexpr double most_layings = 10;
 /// What has left the box is felt whole until it is so many times as far as the box, then less and
 /// less, until so many times: then nothing changes in a step. As many drift in each doubling of
 /// the distance.

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "tree/order/radix_sort.hpp"
+#include "vortex/adapt/spline_nodes.hpp"
 #include "vortex/adapt/tuning.hpp"
 
 namespace vortree::vortex {
@@ -87,19 +88,21 @@ struct ReachedTiles {
   Unwritten<std::uint32_t> blob;
   std::vector<std::size_t> first;  // of each tile that there is, and the end
 
-  ReachedTiles(std::span<const WideBlob> blobs, const AllLevels& levels) {
-    for (std::uint32_t i = 0; i < blobs.size(); ++i) put(i, blobs[i], levels[blobs[i].level].h);
+  /// reach  of a blob, in nodes from the nearest
+  ReachedTiles(std::span<const WideBlob> blobs, const AllLevels& levels, int reach) {
+    for (std::uint32_t i = 0; i < blobs.size(); ++i)
+      put(i, blobs[i], levels[blobs[i].level].h, reach);
     tree::radix_sort(tile, blob);
     for (std::size_t k = 0; k < tile.size(); ++k)
       if (k == 0 || tile[k] != tile[k - 1]) first.push_back(k);
     first.push_back(tile.size());
   }
 
-  void put(std::uint32_t i, const WideBlob& b, double h) {
+  void put(std::uint32_t i, const WideBlob& b, double h, int reach) {
     const auto gx = static_cast<std::int64_t>(std::nearbyint(b.at.x / h)),
                gy = static_cast<std::int64_t>(std::nearbyint(b.at.y / h));
-    for (std::int64_t row = tile_of(gy - 1); row <= tile_of(gy + 1); ++row)
-      for (std::int64_t column = tile_of(gx - 1); column <= tile_of(gx + 1); ++column) {
+    for (std::int64_t row = tile_of(gy - reach); row <= tile_of(gy + reach); ++row)
+      for (std::int64_t column = tile_of(gx - reach); column <= tile_of(gx + reach); ++column) {
         tile.push_back(numbered(b.level, row, column));
         blob.push_back(i);
       }
@@ -122,25 +125,29 @@ struct Unit {
   }
 };
 
-/// The shares of one blob, together what it has itself.
-std::array<std::int64_t, 9> parted(double gamma_in_units, const NineNodes& nodes) {
-  std::array<std::int64_t, 9> units;
+/// The shares of one blob, together what it has itself; the one in the middle has what is left.
+template <std::size_t N>
+std::array<std::int64_t, N> parted(double gamma_in_units, const std::array<double, N>& share) {
+  std::array<std::int64_t, N> units;
   std::int64_t left = std::llrint(gamma_in_units);
-  for (int k = 0; k < 9; ++k) {
-    units[k] = std::llrint(gamma_in_units * nodes.share[k]);
-    if (k != 4) left -= units[k];
+  for (std::size_t k = 0; k < N; ++k) {
+    units[k] = std::llrint(gamma_in_units * share[k]);
+    if (k != N / 2) left -= units[k];
   }
-  units[4] = left;
+  units[N / 2] = left;
   return units;
 }
 
 /// Adds what of a blob falls into a tile.
-void add(Sums& sums, Tile tile, const NineNodes& nodes, const std::array<std::int64_t, 9>& units) {
+template <class Nodes>
+void add(Sums& sums, Tile tile, const Nodes& nodes, double gamma_in_units) {
+  const auto units = parted(gamma_in_units, nodes.share);
+  constexpr std::int64_t reach = units.size() == 9 ? 1 : SplineNodes::reach, row = 2 * reach + 1;
   const std::int64_t x = nodes.gx - first_x(tile), y = nodes.gy - first_y(tile);
-  for (std::int64_t b = -1; b <= 1; ++b)
-    for (std::int64_t a = -1; a <= 1; ++a)
+  for (std::int64_t b = -reach; b <= reach; ++b)
+    for (std::int64_t a = -reach; a <= reach; ++a)
       if (x + a >= 0 && x + a < across && y + b >= 0 && y + b < across)
-        sums[(y + b) * across + x + a] += units[4 + a + 3 * b];
+        sums[(y + b) * across + x + a] += units[reach + a + row * (reach + b)];
 }
 
 }  // namespace
@@ -151,10 +158,11 @@ bool on_lattices(Vec2 at, double sigma_max) {
   return std::abs(at.x) < most * h && std::abs(at.y) < most * h;
 }
 
-std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, double sigma_max) {
+std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, double sigma_max,
+                                          Shares shares) {
   const AllLevels levels(sigma_max);
   const Unit unit(blobs);
-  const ReachedTiles tiled(blobs, levels);
+  const ReachedTiles tiled(blobs, levels, shares == Shares::nine ? 1 : SplineNodes::reach);
   const std::size_t tiles = tiled.first.size() - 1;
   std::vector<Sums> sums(tiles);
   std::vector<std::size_t> begin(tiles + 1);
@@ -163,8 +171,11 @@ std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, doubl
     const Tile tile = tiled.tile[tiled.first[t]];
     for (std::size_t k = tiled.first[t]; k < tiled.first[t + 1]; ++k) {
       const WideBlob& b = blobs[tiled.blob[k]];
-      const NineNodes nodes(b.at, b.core, levels[b.level]);
-      add(sums[t], tile, nodes, parted(unit.in_units(b.gamma), nodes));
+      const double gamma = unit.in_units(b.gamma);
+      if (shares == Shares::nine)
+        add(sums[t], tile, NineNodes(b.at, b.core, levels[b.level]), gamma);
+      else
+        add(sums[t], tile, SplineNodes(b.at, b.core, levels[b.level]), gamma);
     }
     begin[t + 1] = across * across - std::ranges::count(sums[t], 0);
   }

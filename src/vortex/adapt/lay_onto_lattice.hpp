@@ -51,6 +51,10 @@ struct NineNodes {
   NineNodes(Vec2 at, const Core& core, const LatticeLevel& level);
 };
 
+/// Onto which nodes blobs are laid: those above, or, in free space where cores are strained, more
+/// of them (spline_nodes.hpp).
+enum class Shares { nine, spline };
+
 /// A blob to be laid onto a lattice.
 struct WideBlob {
   Vec2 at;
@@ -80,6 +84,7 @@ bool on_lattices(Vec2 at, double sigma_max);
 /// error  circulation, impulse and second moments: round-off of the sums of their terms
 /// cost   O(blobs)
 /// source our own
-std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, double sigma_max);
+std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, double sigma_max,
+                                          Shares shares = Shares::nine);
 
 }  // namespace vortree::vortex

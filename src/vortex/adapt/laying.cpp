@@ -27,6 +27,7 @@ Laying::Laying(const Splitting& splitting, const body::Shape* wall, std::uint64_
     : splitting_(splitting), wall_(wall), clock_((step & 0xffffffffu) + (step >> 32)) {
   if (splitting.spread > 0)
     period_ = period(LatticeLevel(splitting.sigma_max, 0), splitting.spread);
+  if (strains()) period_ = std::min(period_ > 0 ? period_ : UINT64_MAX, splitting.strained_steps);
 }
 
 double Laying::seen_from(double widest) const {
@@ -102,7 +103,8 @@ void Laying::append_nodes(Unwritten<AdaptedBlob>& all, const Blobs& blobs,
     if (level[i] != none)
       wide.push_back({blobs.centre(i), blobs.gamma[i], blobs.core(i), level[i]});
   if (wide.empty()) return;
-  const std::vector<LatticeNode> nodes = lay_onto_lattice(wide, splitting_.sigma_max);
+  const std::vector<LatticeNode> nodes =
+      lay_onto_lattice(wide, splitting_.sigma_max, strains() ? Shares::spline : Shares::nine);
   const std::size_t first = all.size();
   const std::ptrdiff_t n = std::ssize(nodes);
   all.resize(first + nodes.size());

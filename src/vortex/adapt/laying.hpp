@@ -23,7 +23,9 @@ namespace vortree::vortex {
 /// When: all of a level in the same step, each 2^k P-th, P steps the least in which a node's square
 /// spreads to least(); but for blobs narrower than nodes, which wait for the next turn. So fluid
 /// that leaves the wall's zone joins the lattice that is there. Were each blob laid when it is wide
-/// enough, two lattices and more would lie over each other, with 1.6 times the blobs.
+/// enough, two lattices and more would lie over each other, with 1.6 times the blobs. Where cores
+/// of free space are strained P is no more than Splitting::strained_steps: what two halves
+/// (cores/halves.hpp) can tell of a core goes by how long it has become.
 class Laying {
  public:
   static constexpr std::int8_t none = -1;
@@ -53,6 +55,7 @@ class Laying {
   int coarsest(double distance) const;
   bool due(double square, int finest) const;
   bool in_turn(int level) const;
+  bool strains() const { return !wall_ && splitting_.strained_steps > 0; }
   double faintness(double gamma, double square) const;
   AdaptedBlob node(Vec2 at, double gamma, int level) const;
   float widening(double of_place, int finest) const;

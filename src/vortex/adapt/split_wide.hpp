@@ -19,6 +19,8 @@ namespace vortree::vortex {
 /// faint       in free space: vorticity so weak that lattices are coarser (laying.hpp) [1/s]
 /// spread      what a step adds to sigma^2 [m^2], which a step tells; 0: each blob is laid onto a
 ///             lattice when it is wide enough
+/// strained_steps  in free space, after how many steps strained cores are laid onto lattices, wide
+///             enough or not; 0: cores stay round
 struct Splitting {
   double sigma_max;
   double alpha = 0.7;
@@ -28,6 +30,7 @@ struct Splitting {
   SplitScheme scheme = SplitScheme::ring;
   double faint = 0;
   double spread = 0;
+  std::uint64_t strained_steps = 0;
 };
 
 /// By the scheme `lattice`, lays wide blobs onto lattices wherever the wall is far enough

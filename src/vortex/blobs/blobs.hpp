@@ -14,8 +14,9 @@ namespace vortree::vortex {
 ///
 /// x, y centres [m]; gamma circulation [m^2/s], anticlockwise positive; sigma core size [m].
 /// xx, xy what a core's covariance has beyond sigma^2/2 I [m^2] (covariance.hpp): the strain that a
-/// blob has been through. Its velocity and vorticity are those of a round core; the children that
-/// it splits into are laid out by the strain.
+/// blob has been through. Its velocity and vorticity are those of a round core beside a wall, where
+/// the children that it splits into are laid out by the strain, and those of two halves in free
+/// space (cores/halves.hpp).
 struct Blobs {
   std::vector<double> x, y, gamma, sigma, xx, xy;
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "vortex/cores/halves.hpp"
+
 namespace vortree::vortex {
 namespace {
 
@@ -16,7 +18,8 @@ double potential(double r2, double s2) {
 
 }  // namespace
 
-Energy energy(const Blobs& blobs) {
+Energy energy(const Blobs& whole) {
+  const Blobs blobs = Halves(whole).parts;
   const auto n = static_cast<std::ptrdiff_t>(blobs.size());
   std::vector<double> stream(n), peak(n);  // a sum a blob: the same for any number of threads
 #pragma omp parallel for schedule(dynamic, 16)

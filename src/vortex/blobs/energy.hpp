@@ -10,8 +10,9 @@ namespace vortree::vortex {
 ///   enstrophy = int omega^2 dA = sum_ij gamma_i gamma_j exp(-r^2/s^2)/(pi s^2)
 ///
 /// with r = |x_i - x_j| and s^2 = sigma_i^2 + sigma_j^2 (r -> 0: (ln s^2 - 0.5772)/2 in the
-/// brackets); per unit density [m^4/s^2] and [m^2/s^2]. Of circulation zero, the first is the
-/// kinetic energy; else it is that but for an infinite constant. d(energy)/dt = -nu enstrophy.
+/// brackets), strained blobs as two halves (cores/halves.hpp); per unit density [m^4/s^2] and
+/// [m^2/s^2]. Of circulation zero, the first is the kinetic energy; else it is that but for an
+/// infinite constant. d(energy)/dt = -nu enstrophy.
 /// cost  O(blobs^2)
 struct Energy {
   double energy, enstrophy;

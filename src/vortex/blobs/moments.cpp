@@ -18,7 +18,9 @@ Vec2 quadrupole_about(Vec2 centre, const Blobs& blobs) {
   Vec2 sum;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     const Vec2 d = blobs.centre(i) - centre;
-    sum = sum + blobs.gamma[i] * Vec2{d.x * d.x - d.y * d.y, 2 * d.x * d.y};
+    const Deviator own = blobs.core(i).deviator;
+    sum =
+        sum + blobs.gamma[i] * Vec2{d.x * d.x - d.y * d.y + 2 * own.xx, 2 * d.x * d.y + 2 * own.xy};
   }
   return sum;
 }
@@ -28,7 +30,8 @@ double mean_distance(Vec2 centre, Vec2 axis, const Blobs& blobs, double gamma) {
   double sum = 0;
   for (std::size_t i = 0; i < blobs.size(); ++i) {
     const double away = std::abs(dot(axis, blobs.centre(i) - centre));
-    sum += blobs.gamma[i] * folded::mean_distance(away, blobs.sigma[i], 0);
+    const double wide = std::sqrt(2 * blobs.core(i).covariance(axis).nn);
+    sum += blobs.gamma[i] * folded::mean_distance(away, wide, 0);
   }
   return sum / gamma;
 }

@@ -35,9 +35,14 @@ namespace vortree::vortex {
 ///   velocity.tolerance = e/1000,  velocity.cores = "both"
 ///
 /// In free space, with L the least width and omega the mean vorticity of the initial vortex, e the
-/// relative error of its quadrupole (measured on gaussian_ellipse):
+/// relative error of its quadrupole:
 ///
-///   sigma_max = 1.2 L sqrt(e),  sigma_0 = sigma_max/1.3,
+///   sigma_max = 0.55 L e^(1/4)      cores are strained (scales.hpp): second order in sigma^2, so
+///                                   that the tripole, whose arms are thinner than L, has 10, 3.0
+///                                   and 0.91 % at e = 0.1, 0.03 and 0.01; gaussian_ellipse has
+///                                   0.06 % at 0.1, corotating_pair 0.35 %
+///               1.2 L sqrt(e)       cores stay round: first order, as gaussian_ellipse has it
+///   sigma_0   = sigma_max/1.3
 ///   dt = min(0.4/omega, sigma_max^2/(4 nu)), so that a step widens cores no more than splitting
 ///   makes up for,
 ///   merging.tolerance = 0.02 e L omega,  velocity.tolerance = e/1000

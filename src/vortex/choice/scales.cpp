@@ -6,6 +6,8 @@
 
 #include "body/extent.hpp"
 #include "flow/initial/widths.hpp"
+#include "vortex/adapt/tuning.hpp"
+#include "vortex/tuning.hpp"
 
 namespace vortree::vortex {
 
@@ -21,6 +23,13 @@ bool spreads_cores(const VortexCase& scene) {
 
 bool makes_children(const VortexCase& scene) {
   return spreads_cores(scene) && (scene.body || scene.splitting.scheme == SplitScheme::ring);
+}
+
+double strained_for(const VortexCase& scene) {
+  if (!spreads_cores(scene) || makes_children(scene) || !scene.initial) return 0;
+  const double alone = strain_turn / flow::mean_vorticity(*scene.initial);
+  const double step = lattice_step * scene.cores.sigma_max;
+  return step * step / (8 * scene.flow.nu) <= most_layings * alone ? alone : 0;
 }
 
 double crowding(const VortexCase& scene) {

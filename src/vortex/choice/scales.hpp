@@ -19,6 +19,13 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 /// Nodes of lattices do not multiply.
 [[nodiscard]] bool makes_children(const VortexCase& scene);
 
+/// For how long cores of a free vortex are strained until they are laid onto lattices anew [T]: 4
+/// over its mean vorticity. 0 where cores stay round: beside a body, where wide blobs are split by
+/// rings, and where diffusion asks for a lattice, each lattice_step^2 sigma_max^2/(8 nu), so seldom
+/// that there would be more than `most_layings` for each of those: all of them together would err
+/// by more than what strain is worth.
+[[nodiscard]] double strained_for(const VortexCase& scene);
+
 /// How many times as many blobs merging.tolerance leaves as the one that goes with the cores (past
 /// a body U (sigma_max/layer)^2/16, in a free vortex of half width w 0.014 vorticity
 /// sigma_max^2/w): as 1/sqrt(tolerance), 1 to 1000; 1 for 0, with which nothing merges. Tolerances

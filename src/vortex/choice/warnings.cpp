@@ -154,6 +154,14 @@ void doubt_places(Warnings& list, const VortexCase& scene) {
 
 }  // namespace
 
+void doubt_accuracy(Warnings& list, const VortexCase& scene) {
+  if (scene.accuracy && scene.initial && !scene.body)
+    list.push_back(
+        fmt::format("accuracy = {:.3g} does not rule the error: cores.sigma_max = {:.3g} "
+                    "is written; without it, it is chosen",
+                    *scene.accuracy, scene.cores.sigma_max));
+}
+
 flow::Warnings warnings(const VortexCase& scene) {
   Warnings list;
   doubt_places(list, scene);

@@ -30,4 +30,8 @@ namespace vortree::vortex {
 /// of nothing; what the run will cost (cost.hpp).
 flow::Warnings warnings(const VortexCase& scene);
 
+/// Of a scene that writes cores.sigma_max: that an accuracy asked for a vortex in free space, whose
+/// error is that of the cores, does not rule it.
+void doubt_accuracy(flow::Warnings& list, const VortexCase& scene);
+
 }  // namespace vortree::vortex

@@ -3,13 +3,14 @@
 #include "fmm/vorticity.hpp"
 #include "vortex/cores/folded_centroid.hpp"
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/cores/halves.hpp"
 #include "vortex/wall/tuning.hpp"
 
 namespace vortree::vortex {
 
 void vorticity(const Blobs& blobs, const body::Shape* wall, tree::Points at,
                std::span<double> omega) {
-  Blobs all = blobs;
+  Blobs all = wall ? blobs : Halves(blobs).parts;
   for (std::size_t i = 0; wall && i < blobs.size(); ++i) {
     if (wall->beyond(blobs.centre(i), folded::support * blobs.sigma[i])) continue;
     const body::WallPoint w = wall->nearest(blobs.centre(i));

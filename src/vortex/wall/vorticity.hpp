@@ -9,7 +9,8 @@
 namespace vortree::vortex {
 
 /// Vorticity at points of the plane [1/s]: the blobs' Gaussians; next to a wall the folded ones (a
-/// blob and its mirror image at the same distance inside); 0 within the body.
+/// blob and its mirror image at the same distance inside); 0 within the body. In free space
+/// strained blobs are two halves (cores/halves.hpp).
 ///
 /// error  cores are cut off at 1e-10 of their peaks
 void vorticity(const Blobs& blobs, const body::Shape* wall, tree::Points at,
