@@ -51,19 +51,12 @@ Choice past_body(const VortexCase& scene, double e) {
   return c;
 }
 
-/// With strained cores, if diffusion lays them often enough, the error is second order in sigma^2.
-double widest_free(const VortexCase& scene, double width, double e) {
-  VortexCase strained = scene;
-  strained.cores.sigma_max = 0.55 * width * std::pow(e, 0.25);
-  return strained_for(strained) > 0 ? strained.cores.sigma_max : 1.2 * width * std::sqrt(e);
-}
-
 Choice free_vortex(const VortexCase& scene, double e) {
   const flow::InitialSettings& i = *scene.initial;
   const double width = flow::least_width(i);
   const double omega = flow::mean_vorticity(i);
   Choice c{};
-  c.sigma_max = widest_free(scene, width, e);
+  c.sigma_max = widest_in_free_space(scene, e);
   c.sigma_0 = c.sigma_max / 1.3;
   c.dt = 0.4 / omega;
   if (scene.flow.nu > 0) c.dt = std::min(c.dt, c.sigma_max * c.sigma_max / (4 * scene.flow.nu));

@@ -32,6 +32,13 @@ double strained_for(const VortexCase& scene) {
   return step * step / (8 * scene.flow.nu) <= most_layings * alone ? alone : 0;
 }
 
+double widest_in_free_space(const VortexCase& scene, double e) {
+  const double width = flow::least_width(*scene.initial);
+  VortexCase strained = scene;
+  strained.cores.sigma_max = 0.55 * width * std::pow(e, 0.25);
+  return strained_for(strained) > 0 ? strained.cores.sigma_max : 1.2 * width * std::sqrt(e);
+}
+
 double crowding(const VortexCase& scene) {
   if (!makes_children(scene)) return 1;
   const double widest = scene.cores.sigma_max, layer = boundary_layer(scene);

@@ -26,6 +26,10 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 /// by more than what strain is worth.
 [[nodiscard]] double strained_for(const VortexCase& scene);
 
+/// The cores of a free vortex that an accuracy e calls for: where they are strained, and diffusion
+/// lays them often enough, the error is of second order in sigma^2 (choice.hpp has the law).
+[[nodiscard]] double widest_in_free_space(const VortexCase& scene, double e);
+
 /// How many times as many blobs merging.tolerance leaves as the one that goes with the cores (past
 /// a body U (sigma_max/layer)^2/16, in a free vortex of half width w 0.014 vorticity
 /// sigma_max^2/w): as 1/sqrt(tolerance), 1 to 1000; 1 for 0, with which nothing merges. Tolerances

@@ -155,11 +155,14 @@ void doubt_places(Warnings& list, const VortexCase& scene) {
 }  // namespace
 
 void doubt_accuracy(Warnings& list, const VortexCase& scene) {
-  if (scene.accuracy && scene.initial && !scene.body)
-    list.push_back(
-        fmt::format("accuracy = {:.3g} does not rule the error: cores.sigma_max = {:.3g} "
-                    "is written; without it, it is chosen",
-                    *scene.accuracy, scene.cores.sigma_max));
+  if (!scene.accuracy || !scene.initial || scene.body) return;
+  constexpr double as_printed = 1e-5;
+  const double chosen = widest_in_free_space(scene, *scene.accuracy);
+  if (std::abs(scene.cores.sigma_max - chosen) > as_printed * chosen)
+    list.push_back(fmt::format(
+        "accuracy = {:.3g} does not rule the error: cores.sigma_max = {:.3g} is written, and "
+        "{:.3g} goes with it",
+        *scene.accuracy, scene.cores.sigma_max, chosen));
 }
 
 flow::Warnings warnings(const VortexCase& scene) {

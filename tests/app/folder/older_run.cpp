@@ -137,7 +137,8 @@ TEST_CASE("a run of a time when blobs were split into rings goes on with rings, 
   change_frames("del f.attrs['checksum']", folder);
   const auto lattice = call("run vortex.toml --resume --out r", folder);
   CHECK(lattice.code == 2);
-  CHECK(lattice.err.find("another [splitting] than vortex.toml has now") != std::string::npos);
+  // Cores go with the scheme, and are told first.
+  CHECK(lattice.err.find("another [cores] than vortex.toml has now") != std::string::npos);
   const auto rings = call("run vortex.toml splitting.scheme=ring --resume --out r", folder);
   CAPTURE(rings.err);
   CHECK(rings.code == 0);

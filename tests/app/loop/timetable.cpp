@@ -130,6 +130,9 @@ TEST_CASE("what `check` prints of a chosen step runs to the same bits, and meets
     CHECK(outcome.code == 0);
     CHECK(outcome.err.empty());
   }
+  CHECK(call("check vortex.toml cores.sigma_max=0.08", folder)
+            .err.find("accuracy = 0.1 does not rule the error: cores.sigma_max = 0.08 is written, "
+                      "and 0.0619 goes with it") != std::string::npos);
   const auto same = shell(
       "for f in vortex printed; do cut -d, -f1-19 runs/$f/report.csv > $f.csv; done;"
       "cmp vortex.csv printed.csv && tail -1 vortex.csv | cut -d, -f1",
