@@ -37,7 +37,7 @@ namespace {
 Placed pack(const AdaptedBlob& p, const AtWall& at_wall, const body::Shape& wall) {
   Covariance v = p.core().covariance(at_wall.normal);
   v.nn = std::max(at_wall.across, 0.01 * p.square);
-  return unfold({p.centre() + at_wall.offset, core_of(v, at_wall.normal)}, &wall);
+  return unfold({p.centre() + at_wall.offset, core_of(upright(v), at_wall.normal)}, &wall);
 }
 
 }  // namespace

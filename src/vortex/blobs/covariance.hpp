@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/vec2.hpp"
@@ -55,6 +56,12 @@ inline double widest(const Core& core) {
 inline Core core_of(const Covariance& v, Vec2 n) {
   const double half = (v.nn - v.tt) / 2, c = n.x * n.x - n.y * n.y, s = 2 * n.x * n.y;
   return {v.nn + v.tt, {half * c - v.nt * s, half * s + v.nt * c}};
+}
+
+/// These variances with as much of the tilt as leaves the core some width in every direction.
+inline Covariance upright(const Covariance& v) {
+  const double most = 0.95 * std::sqrt(v.nn * v.tt);
+  return {v.nn, std::clamp(v.nt, -most, most), v.tt};
 }
 
 /// Core of points carried for a time dt >= 0 by a flow of constant gradient: V becomes F V F^T,

@@ -26,14 +26,18 @@ Choice past_body(const VortexCase& scene, double e) {
   const double reynolds = speed * length / nu;
   Choice c{};
   const double period = scene.plunge ? 1 / scene.plunge->frequency : INFINITY;
-  const double longest = 2 * e * length / speed, coarse = std::cbrt(std::min(e, 0.05) / 0.01),
+  // Around tips strain draws cores out: with longer steps they would multiply there.
+  const bool blunt = body::tip_of(*scene.body).radius > 0.1 * length;
+  const double longest = 2 * e * length / speed,
+               coarse = std::cbrt(std::min(e, blunt ? 0.05 : 0.01) / 0.01),
                turning = 0.02 * coarse * std::sqrt(550 / reynolds) * length / speed;
   // A scene that sets its own step has the cores that go with it.
   c.dt = scene.time.dt > 0
              ? scene.time.dt
              : flow::fitted_step(scene, std::min({longest, turning, period / 100,
                                                   0.1 * std::min(e, 0.05) * length * length / nu}));
-  const double squares = 6 + 2 * std::min(turning / longest, 1.0);
+  const double squares =
+      blunt || e <= 0.01 ? 6 + 2 * std::min(turning / longest, 1.0) : 8 * std::sqrt(e / 0.01);
   c.sigma_max = std::min(4 * std::sqrt(e * nu * length / speed), std::sqrt(squares * nu * c.dt));
   const double beside_body = reynolds < 20 ? 4 * length * std::sqrt(e / 20) : length / 4;
   c.sigma_max = std::min({c.sigma_max, beside_body, length / 4});

@@ -19,8 +19,11 @@ namespace vortree::vortex {
 ///   dt        = min(2 e, 0.02 (e/0.01)^(1/3) sqrt(550/Re)) D/U     q <= 1: the second of these as
 ///                                           a share of the first. So the wall's vorticity turns
 ///                                           by 0.94 (e/0.01)^(1/3) rad, which errs by its square
-///                                           at first, and no more than with e = 0.05; and a
-///                                           plunge has 100 steps a period; at most
+///                                           at first, and no more than with e = 0.05. Around a
+///                                           tip of less than D/10 strain draws cores out: there
+///                                           the root is 1 at most, and cores are sqrt(8 nu dt)
+///                                           (e/0.01)^(1/4) beyond e = 0.01, lest they multiply.
+///                                           A plunge has 100 steps a period; at most
 ///                                           0.1 min(e, 0.05) D^2/nu, that cores stay as small
 ///                                           against the body as they are at Re = 20; here and
 ///                                           below a little less, so that time.end is met

@@ -33,7 +33,7 @@ struct Beside {
     const double y = height(wall, core);
     const folded::MeanAndVariance acts = folded::moments(y, sigma(), wall.curvature);
     return {at + (acts.mean - y) * wall.normal,
-            core_of({acts.across, core.nt, core.tt}, wall.normal)};
+            core_of(upright({acts.across, core.nt, core.tt}), wall.normal)};
   }
 
   /// The mean by which a core is placed that acts so far from the wall, and what it follows of it.
@@ -46,7 +46,7 @@ struct Beside {
   /// The blob of the distance and of the width across the wall that `own` has; `at` is where this
   /// one is.
   Placed put(Vec2 at, const folded::Gaussian& own) const {
-    const Covariance v{own.s * own.s / 2, core.nt, core.tt};
+    const Covariance v = upright({own.s * own.s / 2, core.nt, core.tt});
     return {at + (own.y - height(wall, v)) * wall.normal, core_of(v, wall.normal)};
   }
 };
@@ -100,9 +100,7 @@ Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double d
     const Vec2 n = beside.wall.normal;
     Covariance v = after.core.covariance(n);
     v.tt = before.core.covariance(n).tt;
-    const double most = 0.95 * std::sqrt(v.nn * v.tt);
-    v.nt = std::clamp(v.nt, -most, most);
-    after.core = core_of(v, n);
+    after.core = core_of(upright(v), n);
   }
   return unfold(after, shape);
 }

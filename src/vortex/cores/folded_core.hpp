@@ -93,10 +93,12 @@ inline double mean_distance(double y, double s, double kappa) {
   return moments(y, s, kappa).mean;
 }
 
-/// The curvature that a core of the variance v_t along the wall follows: at most 1/sqrt(8 v_t).
+/// The curvature that a core of the variance v_t along the wall follows: all of it up to
+/// 1/sqrt(8 v_t), less and less beyond, none from 3/2 of that on. A core around a tip stays
+/// straight.
 inline double followed(double along, double kappa) {
   const double most = 1 / std::sqrt(8 * along);
-  return std::clamp(kappa, -most, most);
+  return kappa * std::clamp(3 - 2 * std::abs(kappa) / most, 0.0, 1.0);
 }
 
 /// The sag of a core of these variances, its own across the wall and along it.

@@ -50,6 +50,21 @@ TEST_CASE("steps that the turn at the wall bounds go with the cube root of the a
   CHECK(own(slow).cores.sigma_max == Approx(std::sqrt(8 * slow.flow.nu * slow.time.dt)));
 }
 
+TEST_CASE("around a tip steps do not go with a coarse accuracy, and cores widen with it") {
+  const auto chosen = [](const std::string& across, const std::string& accuracy) {
+    return parse("accuracy = " + accuracy +
+                 "\n[flow]\nreynolds = 8800\nstream = [1, 0]\n[body]\nshape = \"ellipse\"\n"
+                 "radius = 0.5\nacross = " +
+                 across + "\n[time]\nend = 1e4\n");
+  };
+  const Scene sharp = chosen("0.1", "0.04"), blunt = chosen("0.25", "0.04");
+  CHECK(sharp.time.dt == Approx(0.005).epsilon(1e-4));
+  CHECK(own(sharp).cores.sigma_max == Approx(std::sqrt(16 * sharp.flow.nu * sharp.time.dt)));
+  CHECK(blunt.time.dt == Approx(0.005 * std::cbrt(4)).epsilon(1e-4));
+  CHECK(own(chosen("0.1", "0.01")).cores.sigma_max ==
+        Approx(own(chosen("0.25", "0.01")).cores.sigma_max));
+}
+
 TEST_CASE("a Reynolds number needs a body and a stream, and no other viscosity beside it") {
   CHECK(refused(with("nu = 1e-3", "reynolds = 10")) ==
         "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream, "
