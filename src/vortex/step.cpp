@@ -158,10 +158,18 @@ Blobs released(std::span<const double> sheet, const Wall& wall, double core) {
   return blobs;
 }
 
+/// Whether a core is no wider than half of what the wall is bent by anywhere.
+bool thin_beside(const Wall& wall, double core) {
+  return std::ranges::all_of(wall.middles(), [&](Vec2 at) {
+    return std::abs(wall.shape().nearest(at).curvature) * core <= 0.5;
+  });
+}
+
 /// The sheet that cancels the slip from where it acts once it is released, some way m off the wall:
 /// the sheet at the wall would leave the share n m/R of mode n of a circle's slip, this one its
-/// square.
+/// square. Around an edge sharper than the core no such sheet is to be had.
 std::vector<double> as_released(const AtRest& at_rest, const Problem& p, double core) {
+  if (!thin_beside(*p.wall, core)) return at_rest.sheet;
   std::vector<double> sheet = at_rest.sheet;
   const Blobs fresh = released(sheet, *p.wall, core);
   const FoldedBlobs at = fold(fresh, &p.wall->shape());
