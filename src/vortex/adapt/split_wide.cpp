@@ -288,7 +288,8 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
     const Core core = blobs.core(i);
     const bool near = places.beside_wall(i);
     const std::uint32_t slot = near ? places.at_wall[i] : no_wall;
-    const std::span<AdaptedBlob> made(&adapted.all[places.children[i]], places.children_of(i));
+    const std::span<AdaptedBlob> made =
+        std::span(adapted.all).subspan(places.children[i], places.children_of(i));
     const AdaptedBlob parent{at.x,          at.y, blobs.gamma[i],     core.square,
                              core.deviator, slot, places.widening[i], places.leniency[i]};
     if (made.size() == 1) {
