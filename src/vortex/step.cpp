@@ -102,7 +102,7 @@ Velocities advecting_velocity(const Blobs& blobs, const FoldedBlobs& at, const P
   if (p.wall) {
     const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
     const auto sheet = p.wall->sheet(slip, sheet_circulation(blobs, p));
-    p.wall->add_velocity(sheet, at_points(p.sums), {at.x, at.y}, u);
+    p.wall->add_velocity(sheet, at_points(p.sums), {at.x, at.y}, u, at.wall);
     add_body(u, {at.x, at.y}, of_body(p));
   }
   return u;
@@ -184,9 +184,12 @@ std::vector<double> as_released(const AtRest& at_rest, const Problem& p, double 
 }
 
 /// `impulsive`: the slip has come about at once, and so has the sheet, on the wall.
-Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core, bool impulsive) {
+///
+/// found  wall points nearest to the blobs' centres
+Wake cancel_slip(Blobs& blobs, const WallPoints& found, const Problem& p, double time, double core,
+                 bool impulsive) {
   const Blobs all = with_drifting(blobs, p);
-  const FoldedBlobs at = fold(all, &p.wall->shape());
+  const FoldedBlobs at = fold(all, &p.wall->shape(), found);
   Wake wake;
   const bool stream = dot(p.flow.stream, p.flow.stream) > 0;
   const flow::WakeLine line =
@@ -199,9 +202,10 @@ Wake cancel_slip(Blobs& blobs, const Problem& p, double time, double core, bool 
   const Vec2 of_sheet =
       impulsive ? p.wall->first_moment(wake.sheet) : invariants(fresh, &p.wall->shape()).moment;
   wake.moment = invariants(blobs, at).moment + of_sheet + p.outflow.moment;
-  wake.wall_vorticity = wall_vorticity(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
+  WallShear shear = wall_shear(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0, found);
+  wake.wall_vorticity = std::move(shear.vorticity);
+  wake.friction = shear.friction;
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
-  wake.friction = friction_force(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0);
   append(blobs, fresh);
   return wake;
 }
@@ -264,8 +268,8 @@ Wake start(Blobs& blobs, const Problem& p) {
   // The first sheet is as old as no time at all: a thin core, whose full age comes with the first
   // step.
   const double dt = p.dt * Parts(p, 1).last;
-  return p.wall ? cancel_slip(blobs, p, p.time, std::sqrt(0.02 * 4 * p.flow.nu * dt), true)
-                : Wake{};
+  const double core = std::sqrt(0.02 * 4 * p.flow.nu * dt);
+  return p.wall ? cancel_slip(blobs, WallPoints(), p, p.time, core, true) : Wake{};
 }
 
 namespace {
@@ -273,22 +277,25 @@ namespace {
 /// Carries all for a step. Those that drift go with the stream alone; what the others would have
 /// carried them beyond it belongs to the moment of what has left all the same: so much do they
 /// carry the others and the sheet the other way, and that is no force on the body.
-void carry(Blobs& blobs, Problem& p, const body::Shape* shape, bool strains) {
+///
+/// found    wall points nearest to the blobs' centres
+/// returns  those of where they have come to
+WallPoints carry(Blobs& blobs, Problem& p, const body::Shape* shape, bool strains,
+                 const WallPoints& found) {
   const Vec2 way = p.flow.way(p.time, p.dt);
   const std::size_t inside = blobs.size();
   const Blobs drifting = felt(p);
   append(blobs, drifting);
-  convect(
-      blobs,
-      [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* gradients) {
-        return advecting_velocity(b, at, p, p.flow.stream_at(p.time + after), gradients);
-      },
-      shape, p.scheme, p.dt, strains);
+  const auto velocity = [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* g) {
+    return advecting_velocity(b, at, p, p.flow.stream_at(p.time + after), g);
+  };
+  WallPoints to = convect(blobs, velocity, shape, p.scheme, p.dt, strains, found);
   for (std::size_t i = 0; i < drifting.size(); ++i)
     p.outflow.moment += drifting.gamma[i] * (blobs.centre(inside + i) - drifting.centre(i) - way);
   blobs.resize(inside);
   p.outflow.drift(way);
   if (p.box) drift(p.drifting, way, 4 * p.flow.nu * p.dt, *p.box);
+  return to;
 }
 
 /// Carries all of free space for a step, and strains their cores.
@@ -330,19 +337,24 @@ Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phas
   Wake wake;
   phase("convect");
   const bool spreads = p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading;
-  if (spreads) spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
-  strains_freely(p) ? carry_strained(blobs, p) : carry(blobs, p, shape, spreads && shape);
+  WallPoints found;
+  const auto spread = [&] { found = spread_cores(blobs, p.flow.nu, p.dt / 2, shape, found); };
+  if (spreads) spread();
+  if (strains_freely(p))
+    carry_strained(blobs, p);
+  else
+    found = carry(blobs, p, shape, spreads && shape, found);
   if (spreads)
-    spread_cores(blobs, p.flow.nu, p.dt / 2, shape);
+    spread();
   else if (p.flow.nu > 0)
     scatter(blobs, p, number);
   if (p.wall) {
     phase("wall");
-    wake = cancel_slip(blobs, p, p.time + p.dt, p.sigma_0, false);
+    wake = cancel_slip(blobs, found, p, p.time + p.dt, p.sigma_0, false);
   }
   if (spreads) {
     phase("split");
-    AdaptedBlobs adapted = split_apart(blobs, splitting_in(p), shape, number);
+    AdaptedBlobs adapted = split_apart(blobs, splitting_in(p), shape, number, found);
     phase("merge");
     merge_close(adapted, p.merging);
     if (adapted.all.size() > p.most_blobs) throw Multiplied(adapted.all.size());

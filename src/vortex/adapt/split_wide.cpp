@@ -173,8 +173,8 @@ void keep_moments(std::span<const AdaptedBlob> children, std::span<AtWall> at_wa
 /// parent's tilt, which follows the wall's bend. All are to act so far from where they would, and
 /// so much wider, that mean and variance stay.
 void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
-                   const AdaptedBlob& parent, double alpha2, const body::Shape& wall) {
-  const body::WallPoint w = wall.nearest(parent.centre());
+                   const AdaptedBlob& parent, double alpha2, const body::Shape& wall,
+                   const body::WallPoint& w) {
   const double child2 = alpha2 * parent.square, child = std::sqrt(child2);
   const Parted deviator(parent.core(), alpha2);
   const Covariance v = Core{parent.square, deviator.shown}.covariance(w.normal);
@@ -217,6 +217,13 @@ void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
 
 constexpr int children_at_wall = 4;
 
+/// From the wall; infinite if that is beyond `reach`.
+double distance_of(Vec2 at, std::size_t i, const WallPoints& found, const body::Shape* wall,
+                   double reach) {
+  if (const double known = found.known(i).distance; known < INFINITY || !wall) return known;
+  return wall->beyond(at, reach) ? INFINITY : wall->distance(at);
+}
+
 /// Where the children of each blob begin, and what they know of the wall. Those that are laid onto
 /// a lattice have none.
 struct Places {
@@ -225,7 +232,7 @@ struct Places {
   std::vector<std::int8_t> laid;  // onto this level
 
   Places(const Blobs& blobs, double widest, const Splitting& splitting, const body::Shape* wall,
-         const Laying& laying)
+         const Laying& laying, const WallPoints& found)
       : children(blobs.size() + 1),
         at_wall(blobs.size() + 1),
         widening(blobs.size()),
@@ -241,8 +248,8 @@ struct Places {
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = vortex::widest(blobs.core(i));
       const double seen = std::max(support_of_split * s, laying.seen_from(s));
-      const bool near = wall && !wall->beyond(blobs.centre(i), seen);
-      const double distance = near || coarsens ? wall->distance(blobs.centre(i)) : INFINITY;
+      const double distance =
+          distance_of(blobs.centre(i), i, found, wall, coarsens ? INFINITY : seen);
       const float of_place = coarsens ? splitting.coarsening.widening(distance) : 1.0f;
       const bool splits = blobs.sigma[i] > widest * of_place;
       const bool folds = distance < (splits ? support_of_split : folded::support) * s;
@@ -272,12 +279,12 @@ struct Places {
 }  // namespace
 
 AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
-                         std::uint64_t step) {
+                         std::uint64_t step, const WallPoints& found) {
   const auto n = static_cast<std::ptrdiff_t>(blobs.size());
   const double widest = splitting.sigma_max * (1 + 1e-12),
                alpha2 = splitting.alpha * splitting.alpha;
   const Laying laying(splitting, wall, step);
-  const Places places(blobs, widest, splitting, wall, laying);
+  const Places places(blobs, widest, splitting, wall, laying, found);
   const Rings rings(splitting, step);
   AdaptedBlobs adapted;
   adapted.all.resize(places.children[n]);
@@ -292,11 +299,12 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
         std::span(adapted.all).subspan(places.children[i], places.children_of(i));
     const AdaptedBlob parent{at.x,          at.y, blobs.gamma[i],     core.square,
                              core.deviator, slot, places.widening[i], places.leniency[i]};
+    const body::WallPoint nearest = near ? found.nearest(i, at, INFINITY, wall) : body::WallPoint{};
     if (made.size() == 1) {
       made[0] = parent;
-      if (near) adapted.at_wall[slot] = beside(wall->nearest(at), core);
+      if (near) adapted.at_wall[slot] = beside(nearest, core);
     } else if (near) {
-      split_at_wall(made, {&adapted.at_wall[slot], made.size()}, parent, alpha2, *wall);
+      split_at_wall(made, {&adapted.at_wall[slot], made.size()}, parent, alpha2, *wall, nearest);
     } else {
       split_freely(made, parent, alpha2, rings);
     }

@@ -58,7 +58,9 @@ void split_wide(Blobs& blobs, const Splitting& splitting, const body::Shape* wal
 
 /// The same for what is to be merged next: children keep the folded centroids that they are to
 /// have.
+///
+/// found  wall points nearest to the blobs' centres
 AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const body::Shape* wall,
-                         std::uint64_t step);
+                         std::uint64_t step, const WallPoints& found = WallPoints());
 
 }  // namespace vortree::vortex

@@ -24,7 +24,7 @@ struct Gradient {
 struct Deviator {
   double xx = 0, xy = 0;
 
-  double size() const { return std::hypot(xx, xy); }
+  double size() const { return std::sqrt(xx * xx + xy * xy); }
   double across(Vec2 n) const { return xx * (n.x * n.x - n.y * n.y) + 2 * xy * n.x * n.y; }
   double tilt(Vec2 n) const { return xy * (n.x * n.x - n.y * n.y) - 2 * xx * n.x * n.y; }
 

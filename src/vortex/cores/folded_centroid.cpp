@@ -13,15 +13,18 @@ double height(const body::WallPoint& nearest, const Covariance& core) {
 
 namespace {
 
+body::WallPoint nearest(Vec2 at, const Core& core, const body::Shape* wall) {
+  return WallPoints().nearest(0, at, reach_of(core), wall);
+}
+
 /// What is nearest of a wall that the core reaches, and the core in its frame; or nothing.
 struct Beside {
   bool reached = false;
   body::WallPoint wall{};
   Covariance core{};
 
-  Beside(Vec2 at, const Core& own, const body::Shape* shape) {
-    if (!shape || shape->beyond(at, folded::support * widest(own))) return;
-    wall = shape->nearest(at);
+  Beside(const Core& own, const body::WallPoint& nearest) : wall(nearest) {
+    if (wall.distance == INFINITY) return;
     core = own.covariance(wall.normal);
     core.nn = std::max(core.nn, 1e-12 * core.tt);  // what is squeezed to nothing, but for round-off
     reached = folded::applies(wall.distance, sigma());
@@ -53,56 +56,66 @@ struct Beside {
 
 }  // namespace
 
+double reach_of(const Core& core) {
+  return folded::support * widest(core);
+}
+
 Placed fold(Vec2 centre, const Core& core, const body::Shape* shape) {
-  const Beside blob(centre, core, shape);
+  const Beside blob(core, nearest(centre, core, shape));
   return blob.reached ? blob.folded(centre) : Placed{centre, core};
 }
 
-FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall) {
+FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall, const WallPoints& found) {
   FoldedBlobs result{blobs.x, blobs.y, blobs.sigma};
   if (!wall) return result;
   result.xx.resize(blobs.size());
   result.xy.resize(blobs.size());
+  result.wall = WallPoints(blobs.size());
   const std::ptrdiff_t n = std::ssize(blobs.x);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Beside beside(blobs.centre(i), blobs.core(i), wall);
+    const Vec2 centre = blobs.centre(i);
+    const Core core = blobs.core(i);
+    const Beside beside(core, found.nearest(i, centre, reach_of(core), wall));
     if (!beside.reached) continue;
-    const Placed blob = beside.folded(blobs.centre(i));
+    const Placed blob = beside.folded(centre);
     result.x[i] = blob.centre.x;
     result.y[i] = blob.centre.y;
     result.sigma[i] = std::sqrt(blob.core.square);
     result.xx[i] = blob.core.deviator.xx;
     result.xy[i] = blob.core.deviator.xy;
+    result.wall.keep(i, along_normal(beside.wall, centre, blob.centre));
   }
   return result;
 }
 
 Placed place(Vec2 mean, const Core& core, const body::Shape* shape) {
-  const Beside blob(mean, core, shape);
+  const Beside blob(core, nearest(mean, core, shape));
   if (!blob.reached) return {mean, core};
   return blob.put(mean,
                   folded::place(blob.mean(), blob.sigma(), blob.wall.curvature, blob.followed()));
 }
 
-Placed unfold(const Placed& folded, const body::Shape* shape) {
-  const Beside blob(folded.centre, folded.core, shape);
+Placed unfold(const Placed& folded, const body::WallPoint& nearest) {
+  const Beside blob(folded.core, nearest);
   if (!blob.reached) return folded;
   return blob.put(folded.centre, folded::place_with_variance(blob.mean(), blob.core.nn,
                                                              blob.wall.curvature, blob.followed()));
 }
 
-Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double dt,
-                const body::Shape* shape) {
-  const Placed before = fold(blob.centre, blob.core, shape);
-  Placed after{before.centre + way, carried(before.core, gradient, dt)};
-  if (const Beside beside(blob.centre, blob.core, shape); beside.reached) {
-    const Vec2 n = beside.wall.normal;
-    Covariance v = after.core.covariance(n);
-    v.tt = before.core.covariance(n).tt;
-    after.core = core_of(upright(v), n);
+Placed unfold(const Placed& folded, const body::Shape* shape) {
+  return unfold(folded, nearest(folded.centre, folded.core, shape));
+}
+
+Placed strained(const Placed& folded, const body::WallPoint& nearest, Vec2 way,
+                const Gradient& gradient, double dt) {
+  Placed after{folded.centre + way, carried(folded.core, gradient, dt)};
+  if (nearest.distance < INFINITY) {
+    Covariance v = after.core.covariance(nearest.normal);
+    v.tt = folded.core.covariance(nearest.normal).tt;
+    after.core = core_of(upright(v), nearest.normal);
   }
-  return unfold(after, shape);
+  return after;
 }
 
 }  // namespace vortree::vortex

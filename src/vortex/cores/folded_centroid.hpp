@@ -4,8 +4,19 @@
 
 #include "body/shape.hpp"
 #include "vortex/blobs/blobs.hpp"
+#include "vortex/cores/wall_points.hpp"
 
 namespace vortree::vortex {
+
+/// A blob's place and core: its own, or the folded ones, with which it acts.
+///
+/// A blob's own core has, across the wall, the variance of the Gaussian that is folded, and, as to
+/// the tilt between the two directions, that of the folded distribution: a Gaussian centred on the
+/// wall, folded, would have none, but vorticity sheared along the wall has.
+struct Placed {
+  Vec2 centre;
+  Core core;
+};
 
 /// Where blobs act, and with which core: their centres in free space; next to a wall the folded
 /// centroid, the mean of the folded core, and the width of the folded distribution,
@@ -17,26 +28,22 @@ namespace vortree::vortex {
 /// xx, xy  what the covariance of a folded core has beyond its mean over all directions [m^2]
 ///         (covariance.hpp): a folded core is wider along the wall than across it. 0 for a core
 ///         that the wall does not fold; empty in free space
+/// wall    points nearest to where they act, of those that the wall folds
 struct FoldedBlobs {
   std::vector<double> x, y, sigma, xx{}, xy{};
+  WallPoints wall{};
 
   Vec2 at(std::size_t i) const { return {x[i], y[i]}; }
   Deviator deviator(std::size_t i) const {
     return xx.empty() ? Deviator{} : Deviator{xx[i], xy[i]};
   }
+  /// One that the wall folds.
+  Placed folded(std::size_t i) const { return {at(i), {sigma[i] * sigma[i], deviator(i)}}; }
 };
 
-FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall);
-
-/// A blob's place and core: its own, or the folded ones, with which it acts.
-///
-/// A blob's own core has, across the wall, the variance of the Gaussian that is folded, and, as to
-/// the tilt between the two directions, that of the folded distribution: a Gaussian centred on the
-/// wall, folded, would have none, but vorticity sheared along the wall has.
-struct Placed {
-  Vec2 centre;
-  Core core;
-};
+/// found  wall points nearest to the blobs' centres
+FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall,
+                 const WallPoints& found = WallPoints());
 
 /// How far from the wall the Gaussian is centred that is folded: the blob's centre and the sag of
 /// its core. No blob has less than 0; the centre of one that is drawn out along a bent wall may lie
@@ -53,14 +60,21 @@ Placed place(Vec2 mean, const Core& core, const body::Shape* wall);
 /// The blob that acts at `folded.centre` with `folded.core`, or, where a folded core is never so
 /// wide for its distance, with a narrower one: fold undone.
 ///
-/// error  as place_with_variance (folded_core.hpp)
+/// nearest  wall point of folded.centre, or one infinitely far
+/// error    as place_with_variance (folded_core.hpp)
+Placed unfold(const Placed& folded, const body::WallPoint& nearest);
 Placed unfold(const Placed& folded, const body::Shape* wall);
 
-/// A blob that has gone `way` in a time dt, through a flow of this gradient at its folded centroid:
-/// its folded covariance V becomes F V F^T, F = exp(G dt). Beside a wall it keeps its width
+/// How a blob acts that has acted as `folded` and has gone `way` in a time dt, through a flow of
+/// this gradient: its covariance V becomes F V F^T, F = exp(G dt). Beside a wall it keeps its width
 /// along it: shear spreads vorticity there where little changes, but a straight core that reaches
 /// far along a curved wall would leave it.
-Placed strained(const Placed& blob, Vec2 way, const Gradient& gradient, double dt,
-                const body::Shape* wall);
+///
+/// nearest  wall point of folded.centre if the wall folds the blob, or one infinitely far
+Placed strained(const Placed& folded, const body::WallPoint& nearest, Vec2 way,
+                const Gradient& gradient, double dt);
+
+/// As far as the wall folds a core: `folded::support` of its widest sigma.
+double reach_of(const Core& core);
 
 }  // namespace vortree::vortex

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <utility>
 
 namespace vortree::vortex::folded {
@@ -53,12 +54,21 @@ Profile profile(double q) {
 
 namespace {
 
-/// The width of a core centred on the wall: (1/sqrt(pi) - bend) s + k s^2/4 = m, the smaller root.
+/// The width s of a core whose centre is q widths from the wall and whose mean is m - k s^2/4 from
+/// it: (mean - bend(s) taken) s + k s^2/4 = m, the smaller root.
+///
+/// mean, taken  of a core of width 1 at q from a flat wall, and what a bent one takes of it
+double width(double m, double mean, double taken, double kappa, double k) {
+  const double square = (k - kappa * taken / 2) / 4;
+  const double s = 2 * m / (mean + std::sqrt(std::max(mean * mean + 4 * square * m, 0.0)));
+  if (kappa * s / 8 <= sharpest) return s;
+  mean -= sharpest * taken;
+  return 2 * m / (mean + std::sqrt(std::max(mean * mean + k * m, 0.0)));
+}
+
+/// The same of one centred on the wall.
 double width_on_wall(double m, double kappa, double k) {
-  const double a = inverse_sqrt_pi, square = k / 4 - kappa / 8;
-  const double s = 2 * m / (a + std::sqrt(std::max(a * a + 4 * square * m, 0.0)));
-  if (kappa * s / 8 <= a / 2) return s;
-  return 2 * m / (a / 2 + std::sqrt(std::max(a * a / 4 + k * m, 0.0)));  // past the sharpest edge
+  return width(m, inverse_sqrt_pi, 1, kappa, k);
 }
 
 }  // namespace
@@ -68,11 +78,11 @@ Gaussian place(double m, double s, double kappa, double k) {
   if (!applies(mean, s)) return {mean, s};
   m = std::max(m, thinnest * s * inverse_sqrt_pi);
   const double bend = folded::bend(s, kappa);
-  const double on_wall = s * (inverse_sqrt_pi - bend);  // mean distance of a centre on the wall
-  if (mean <= on_wall) return {0, std::min(s, width_on_wall(m, kappa, k))};
-  // Near the wall mean - on_wall = y^2/s (1/sqrt(pi) + 2 bend): a start from which Newton does not
+  const double least = s * (inverse_sqrt_pi - bend);  // of a centre on the wall
+  if (mean <= least) return {0, std::min(s, width_on_wall(m, kappa, k))};
+  // Near the wall mean - least = y^2/s (1/sqrt(pi) + 2 bend): a start from which Newton does not
   // overshoot.
-  double y = std::sqrt((mean - on_wall) * s / (inverse_sqrt_pi + 2 * bend));
+  double y = std::sqrt((mean - least) * s / (inverse_sqrt_pi + 2 * bend));
   for (int step = 0; step < 12; ++step) {
     const Bent at(y / s, bend);
     const double next = std::max(y - (s * at.mean - mean) / at.slope, 0.0);
@@ -86,48 +96,72 @@ Gaussian place(double m, double s, double kappa, double k) {
 
 namespace {
 
-/// q = y/s of which v_n/m^2 is `part`, of the core whose mean distance is m - k s^2/4: largest on
-/// the wall, at a flat one whence 1 + v_n/m^2 falls as 1 - 2/3 q^4, at a convex one with a term in
-/// q^2 besides.
-///
-/// on_wall  the core's width if its centre were on the wall
-double depth(double part, double m, double on_wall, double kappa, double k) {
-  double s = on_wall, b = bend(s, kappa);
-  const Bent edge(0, b);
+/// q = y/s at a flat wall of which v_n/m^2 is `part`, to 0.03 of a core: q^4 as a polynomial of
+/// sqrt(0.5/part), which is 0.936 on the wall and q far from it. Nothing on the wall and below.
+double flat_depth(double part) {
+  const double y = std::sqrt(0.5 / part) - std::sqrt(1 / (std::numbers::pi - 2));
+  return y > 0 ? std::sqrt(std::sqrt(y * (1.33 + y * (11.76 + y * (2.17 * y - 1.43))))) : 0;
+}
+
+/// The same at a bent wall, whose core would have the width s with its centre on the wall: there
+/// v_n/m^2 is largest, at a flat one whence 1 + v_n/m^2 falls as 1 - 2/3 q^4, at a convex one with
+/// a term in q^2 besides. (One that the core follows may have it largest at some q: the farther of
+/// two places is meant.)
+double likely_depth(double part, double s, double kappa, double k) {
+  const double b = bend(s, kappa);
+  const Bent edge(on_wall, 0, b);
   const double rise = inverse_sqrt_pi + 2 * b, mean = edge.mean + k * s / 4;
-  const double across_rise = 1 + 4 * inverse_sqrt_pi * std::max(b, 0.0) - 2 * edge.mean * rise;
+  const double across_rise = 1 + 4 * inverse_sqrt_pi * b - 2 * edge.mean * rise;
+  // By how much more the width falls as the bend and the part along it do.
+  const double narrower = edge.across * (k * s / 2 - 2 * b) / edge.mean + edge.across_taken * b;
   const double most = 1 + edge.across / (mean * mean);
   const double square =
-      std::max((2 * edge.across * rise / mean - across_rise) / (mean * mean * most), 0.0);
+      (2 * edge.across * rise / mean - across_rise - narrower) / (mean * mean * most);
   const double fallen = std::max(1 - (1 + part) / most, 0.0);
-  const double start = 0.75 * (std::sqrt(square * square + 8.0 / 3 * fallen) - square);
-  double q = std::max(std::sqrt(start), 1e-5);
-  if (q > 0.6) q = std::sqrt(0.5 / part);
-  for (int step = 0; step < 20 && q < support; ++step) {
-    s = m / (Bent(q, b).mean + k * s / 4);
-    b = bend(s, kappa);
-    const Bent at(q, b);
-    const double now = at.mean + k * s / 4, ratio = at.across / (now * now);
-    const double slope = (at.across_slope - 2 * ratio * now * at.slope) / (now * now);
-    const double next = std::max(q - (ratio - part) / slope, q / 2);
-    if (std::abs(next - q) <= 1e-7 * q) return next;
+  const double near = 0.75 * (std::sqrt(square * square + 8.0 / 3 * fallen) - square);
+  return near < 0.12 ? std::max(std::sqrt(near), 1e-5) : std::max(flat_depth(part), 0.3);
+}
+
+/// The core whose mean distance is m - k s^2/4 and whose variance is v_n, at a wall that is not
+/// concave: Newton's steps in q = y/s of the inverse root of the variance, which grows evenly with
+/// q, for cores whose s has them at that mean. `settled`: found, and nearer than `support`.
+///
+/// q  where to begin
+struct AtDepth {
+  Gaussian core;
+  bool settled;
+};
+AtDepth at_depth(double q, double m, double v_n, double kappa, double k) {
+  double s = 0;
+  for (int step = 0; step < 20; ++step) {
+    const Profile flat = profile(q);
+    const double taken = Bent(flat, q, 0).taken;
+    s = width(m, flat.mean, taken, kappa, k);
+    const double b = bend(s, kappa), bent_more = b < sharpest ? kappa / 8 : 0;
+    const Bent at(flat, q, b);
+    const double wider = -s * at.slope / (at.mean + s * (k / 2 - bent_more * taken));
+    const double variance = s * s * at.across;
+    const double change =
+        s * s * (at.across_slope - at.across_taken * bent_more * wider) + 2 * s * wider * at.across;
+    const double by = 2 * variance * (1 - std::sqrt(variance / v_n)) / change;
+    const double next = std::max(q + by, q / 2);
+    if (std::abs(next - q) <= 1e-6 * q) return {{next * (s + wider * by), s + wider * by}, true};
     q = next;
+    if (q >= support) break;
   }
-  return q;
+  return {{q * s, q < support ? s : std::sqrt(2 * v_n)}, false};
 }
 
 }  // namespace
 
 Gaussian place_with_variance(double m, double v_n, double kappa, double k) {
   m = std::max(m, thinnest * inverse_sqrt_pi * std::sqrt(2 * v_n));
-  const double convex = std::max(kappa, 0.0), on_wall = width_on_wall(m, convex, k);
-  if (v_n >= on_wall * on_wall * Bent(0, bend(on_wall, convex)).across - 1e-9 * m * m)
-    return place(m, on_wall, kappa, k);
-  const double q = depth(v_n / (m * m), m, on_wall, convex, k);
-  double s = std::sqrt(2 * v_n);
-  for (int step = 0; q < support && step < 3; ++step)
-    s = std::sqrt(v_n / Bent(q, bend(s, convex)).across);
-  return place(m, s, kappa, k);
+  const double convex = std::max(kappa, 0.0), widest = width_on_wall(m, convex, k);
+  if (v_n >= widest * widest * Bent(on_wall, 0, bend(widest, convex)).across - 1e-9 * m * m)
+    return place(m, widest, kappa, k);
+  const double likely = likely_depth(v_n / (m * m), widest, convex, k);
+  const auto [core, settled] = at_depth(likely, m, v_n, convex, k);
+  return settled && kappa >= 0 ? core : place(m, core.s, kappa, k);
 }
 
 }  // namespace vortree::vortex::folded

@@ -52,30 +52,35 @@ struct Profile {
   double mean, erf, slope;
 };
 Profile profile(double q);
+inline constexpr Profile on_wall{inverse_sqrt_pi, 0, 2 * inverse_sqrt_pi};
 
-/// What a curved wall takes from the mean distance of a core on it, in cores.
+/// What a curved wall takes from the mean distance of a core on it, in cores; no more than the
+/// sharpest edge.
+inline constexpr double sharpest = inverse_sqrt_pi / 2;
 inline double bend(double s, double kappa) {
-  return std::min(kappa * s / 8, inverse_sqrt_pi / 2);
+  return std::min(kappa * s / 8, sharpest);
 }
 
 /// A core of width 1 at a distance q from a wall that takes `bend` of its mean: its mean distance m
 /// and variance v_n across the wall (in a concave one, that at a flat wall), and their derivatives
-/// by q.
+/// by q; and what they lose with the bend, -d m/d bend and -d v_n/d bend.
 struct Bent {
-  double mean, slope, across, across_slope;
+  double mean, slope, across, across_slope, taken, across_taken;
 
-  Bent(double q, double bend) {
-    const Profile at = profile(q);
+  Bent(double q, double bend) : Bent(profile(q), q, bend) {}
+  Bent(const Profile& at, double q, double bend) {
     const double beyond = 1 - at.erf, bell = at.slope / (2 * inverse_sqrt_pi);
-    const double taken = (1 - 2 * q * q) * beyond + q * at.slope, convex = std::max(bend, 0.0);
+    const double convex = std::max(bend, 0.0);
     constexpr double part = 4 * inverse_sqrt_pi / 3;
+    taken = (1 - 2 * q * q) * beyond + q * at.slope;
     mean = at.mean - bend * taken;
     slope = at.erf + 4 * bend * q * beyond;
     const double least = at.mean - convex * taken;
-    across = 0.5 + q * q - least * least -
-             part * convex * ((1 - 2 * q * q) * bell + 2 / inverse_sqrt_pi * q * q * q * beyond);
+    const double lost = part * ((1 - 2 * q * q) * bell + 2 / inverse_sqrt_pi * q * q * q * beyond);
+    across = 0.5 + q * q - least * least - convex * lost;
     across_slope = 2 * q - 2 * least * (at.erf + 4 * convex * q * beyond) +
                    6 * part * convex * q * (bell - q * beyond / inverse_sqrt_pi);
+    across_taken = bend > 0 ? lost - 2 * least * taken : 0;
   }
 };
 

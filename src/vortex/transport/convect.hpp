@@ -8,8 +8,8 @@
 
 namespace vortree::vortex {
 
-/// The velocity that advects blobs, at their folded centroids, so long after the
-/// beginning of the step; and its gradient there, if wanted.
+/// The velocity that advects blobs where they act, so long after the beginning of the step, and its
+/// gradient there, if wanted. (Circulations are the blobs'; `folded` has gone on.)
 using AdvectingVelocity = std::function<Velocities(const Blobs& blobs, const FoldedBlobs& folded,
                                                    double after, Gradients* gradients)>;
 
@@ -19,11 +19,16 @@ using AdvectingVelocity = std::function<Velocities(const Blobs& blobs, const Fol
 ///   d V_i/dt = G V_i + V_i G^T,   V_i its covariance, G = grad u at X_i, if it `strains`
 ///
 /// Next to a wall the mean and the covariance of the folded core are moved, and the core put back
-/// around them. (Strained cores of free space: convect_strained.hpp.) Without strain a blob is a
-/// rigid disc: an error of V : grad grad omega, first order in sigma^2.
+/// around them; on the way its covariance stays as it is. (Strained cores of free space:
+/// convect_strained.hpp.) Without strain a blob is a rigid disc: an error of V : grad grad omega,
+/// first order in sigma^2.
 /// error   O(dt^2) for rk2, O(dt^4) for rk4, per unit of time; O(dt^2) of the covariance
 /// cost    two, or four, evaluations of the velocity, one with the gradient
-void convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
-             flow::Scheme scheme, double dt, bool strains = false);
+///
+/// found    wall points nearest to the centres
+/// returns  those nearest to where they have come to, as far as they were needed
+WallPoints convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
+                   flow::Scheme scheme, double dt, bool strains = false,
+                   const WallPoints& found = WallPoints());
 
 }  // namespace vortree::vortex

@@ -15,26 +15,36 @@ double tilt_kept(double y, double s2, double kappa, double nu, double dt) {
   return std::exp(-nu * dt * at_wall * folded.mean / folded.across);
 }
 
+/// A core that has spread beside a wall.
+Core spread(Core core, const body::WallPoint& nearest, double nu, double dt) {
+  const Deviator deviator = core.deviator;
+  const double across = core.square + 2 * nu * dt + 2 * deviator.across(nearest.normal);
+  core.square += 4 * nu * dt;
+  Covariance v = core.covariance(nearest.normal);
+  const double y = height(nearest, v);
+  if (folded::applies(y, std::sqrt(across)))
+    v.nt *= tilt_kept(y, across, nearest.curvature, nu, dt);
+  return core_of(v, nearest.normal);
+}
+
 }  // namespace
 
-void spread_cores(Blobs& blobs, double nu, double dt, const body::Shape* wall) {
+WallPoints spread_cores(Blobs& blobs, double nu, double dt, const body::Shape* wall,
+                        const WallPoints& found) {
+  WallPoints nearest(wall ? blobs.size() : 0);
   const std::ptrdiff_t n = std::ssize(blobs.x);
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    Core core = blobs.core(i);
-    const double half_way = core.square + 2 * nu * dt;
-    core.square += 4 * nu * dt;
-    if (core.deviator != Deviator{} && wall &&
-        !wall->beyond(blobs.centre(i), folded::support * blobs.sigma[i])) {
-      const body::WallPoint w = wall->nearest(blobs.centre(i));
-      Covariance v = core.covariance(w.normal);
-      const double across = half_way + 2 * core.deviator.across(w.normal);
-      const double y = height(w, v);
-      if (folded::applies(y, std::sqrt(across))) v.nt *= tilt_kept(y, across, w.curvature, nu, dt);
-      core = core_of(v, w.normal);
+    const Core core = blobs.core(i);
+    Core wider{core.square + 4 * nu * dt, core.deviator};
+    if (const auto w = found.nearest(i, blobs.centre(i), reach_of(wider), wall);
+        w.distance < INFINITY) {
+      nearest.keep(i, w);
+      if (core.deviator != Deviator{}) wider = spread(core, w, nu, dt);
     }
-    blobs.put(i, blobs.centre(i), blobs.gamma[i], core);
+    blobs.put(i, blobs.centre(i), blobs.gamma[i], wider);
   }
+  return nearest;
 }
 
 }  // namespace vortree::vortex

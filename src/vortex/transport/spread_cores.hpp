@@ -1,7 +1,7 @@
 #pragma once
 
-#include "body/shape.hpp"
 #include "vortex/blobs/blobs.hpp"
+#include "vortex/cores/wall_points.hpp"
 
 namespace vortree::vortex {
 
@@ -16,6 +16,10 @@ namespace vortree::vortex {
 ///        shear has made of a round core comes out 5 % low when sigma^2 has doubled and 7.5 % when
 ///        it is fourfold, for a centre on the wall; a tilt left to itself 16 % and 34 %. For a
 ///        centre two cores away all of these are below 2 %
-void spread_cores(Blobs& blobs, double nu, double dt, const body::Shape* wall = nullptr);
+///
+/// found    wall points nearest to the centres
+/// returns  the same, with those that the wider cores need
+WallPoints spread_cores(Blobs& blobs, double nu, double dt, const body::Shape* wall = nullptr,
+                        const WallPoints& found = WallPoints());
 
 }  // namespace vortree::vortex

@@ -27,56 +27,56 @@ double of_fresh_sheet(double nu, double dt, double sigma_0) {
   return -hurwitz_zeta_of_half(1 + age) * folded::inverse_sqrt_pi / std::sqrt(nu * dt);
 }
 
-/// Calls use(core) for those blobs of first .. last whose cores reach the wall.
-void for_each_at_wall(const Blobs& blobs, const Wall& wall, std::size_t first, std::size_t last,
-                      auto use) {
-  for (std::size_t j = first; j < last; ++j) {
-    const Core core = blobs.core(j);
-    if (wall.shape().beyond(blobs.centre(j), folded::support * widest(core))) continue;
-    body::WallPoint w = wall.shape().nearest(blobs.centre(j));
-    const Covariance v = core.covariance(w.normal);
-    w.distance = height(w, v);
-    const double across = std::sqrt(2 * v.nn), along = std::sqrt(2 * v.tt);
-    if (folded::applies(w.distance, across)) use(CoreAtWall{blobs.gamma[j], w, across, along});
+/// What a blob shears the wall with whose core reaches it.
+void add_blob(const Blobs& blobs, std::size_t j, body::WallPoint nearest, double nu,
+              const AlongWall& along, WallShear& shear) {
+  if (nearest.distance == INFINITY) return;
+  const Covariance v = blobs.core(j).covariance(nearest.normal);
+  nearest.distance = height(nearest, v);
+  const double across = std::sqrt(2 * v.nn);
+  if (!folded::applies(nearest.distance, across)) return;
+  const Trace trace =
+      vortex::trace(CoreAtWall{blobs.gamma[j], nearest, across, std::sqrt(2 * v.tt)});
+  along.add(trace, shear.vorticity);
+  shear.friction += (nu * trace.amount) * nearest.tangent();
+}
+
+/// What the last sheet does.
+void add_sheet(std::span<const double> sheet, const Wall& wall, double nu, double fresh,
+               const AlongWall& along, WallShear& shear) {
+  const double b = wall.panel_length();
+  for (std::size_t i = 0; i < sheet.size(); ++i) {
+    along.add({fresh * sheet[i] * b, (static_cast<double>(i) + 0.5) * b, 0}, shear.vorticity);
+    shear.friction += (nu * fresh * sheet[i] * b) * wall.tangent(i);
   }
 }
 
 }  // namespace
 
-std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> sheet,
-                                   const Wall& wall, double nu, double dt, double sigma_0) {
+WallShear& WallShear::operator+=(const WallShear& other) {
+  for (std::size_t i = 0; i < vorticity.size(); ++i) vorticity[i] += other.vorticity[i];
+  friction += other.friction;
+  return *this;
+}
+
+WallShear wall_shear(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
+                     double dt, double sigma_0, const WallPoints& found) {
   const AlongWall along(wall);
-  const double b = wall.panel_length(), fresh = of_fresh_sheet(nu, dt, sigma_0);
-  std::vector<double> omega = ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
-    std::vector<double> some(wall.panels());
-    for_each_at_wall(blobs, wall, first, last,
-                     [&](const CoreAtWall& core) { along.add(trace(core), some); });
+  const body::Shape* shape = &wall.shape();
+  WallShear shear = ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
+    WallShear some{std::vector<double>(wall.panels()), {}};
+    for (std::size_t j = first; j < last; ++j)
+      add_blob(blobs, j, found.nearest(j, blobs.centre(j), reach_of(blobs.core(j)), shape), nu,
+               along, some);
     return some;
   });
-  for (std::size_t i = 0; i < sheet.size(); ++i)
-    along.add({fresh * sheet[i] * b, (static_cast<double>(i) + 0.5) * b, 0}, omega);
-  return omega;
+  add_sheet(sheet, wall, nu, of_fresh_sheet(nu, dt, sigma_0), along, shear);
+  return shear;
 }
 
 Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt) {
   const Vec2 moment = wall.first_moment(sheet);
   return {-moment.y / dt, moment.x / dt};
-}
-
-Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
-                    double dt, double sigma_0) {
-  Vec2 force;
-  const double fresh = of_fresh_sheet(nu, dt, sigma_0);
-  for (std::size_t i = 0; i < sheet.size(); ++i)
-    force += (nu * fresh * sheet[i] * wall.panel_length()) * wall.tangent(i);
-  force += ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
-    Vec2 some;
-    for_each_at_wall(blobs, wall, first, last, [&](const CoreAtWall& core) {
-      some += (nu * trace(core).amount) * core.at.tangent();
-    });
-    return some;
-  });
-  return force;
 }
 
 }  // namespace vortree::vortex

@@ -7,9 +7,18 @@
 
 namespace vortree::vortex {
 
-/// Vorticity at the wall, a value a panel [1/s], smoothed along it (along_wall.hpp): the sum of the
-/// folded cores', and that of the sheet which the last step of dt has let in at an even rate (its
-/// blobs not among the others yet).
+/// vorticity  at the wall, a value a panel [1/s], smoothed along it (along_wall.hpp)
+/// friction   force per unit density [m^3/s^2]: nu int omega t ds of the same vorticity, each
+///            core's integral along the wall in closed form, nothing smoothed
+struct WallShear {
+  std::vector<double> vorticity;
+  Vec2 friction;
+
+  WallShear& operator+=(const WallShear& other);
+};
+
+/// What blobs shear the wall with: the sum of the folded cores' vorticity there, and that of the
+/// sheet which the last step of dt has let in at an even rate (its blobs not among the others yet).
 ///
 /// By an even rate gamma/dt, n steps make 2 gamma/sqrt(pi nu dt) sqrt(n); the cores of sigma_0
 /// released at the ends of those before the last have sum_k 2 gamma/sqrt(pi (sigma_0^2 + 4 k nu
@@ -18,8 +27,10 @@ namespace vortree::vortex {
 ///   -zeta(1/2, 1 + sigma_0^2/(4 nu dt)) gamma/sqrt(pi nu dt),   zeta of Hurwitz
 ///
 /// which is 2.02 for sigma_0^2 = 2 nu dt, cores of the mean age, and 1.76 for nu dt.
-std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> sheet,
-                                   const Wall& wall, double nu, double dt, double sigma_0);
+///
+/// found  wall points nearest to the blobs' centres
+WallShear wall_shear(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
+                     double dt, double sigma_0, const WallPoints& found = WallPoints());
 
 /// Pressure force of the fluid on a body at rest (or in its frame, motion.hpp), per unit density
 /// [m^3/s^2], from the sheet that one step of dt had to release:
@@ -28,10 +39,5 @@ std::vector<double> wall_vorticity(const Blobs& blobs, std::span<const double> s
 ///
 /// source  Koumoutsakos & Leonard, J. Fluid Mech. 296 (1995)
 Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt);
-
-/// Friction force per unit density: nu int omega t ds of the same vorticity, each core's integral
-/// along the wall in closed form, nothing smoothed.
-Vec2 friction_force(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
-                    double dt, double sigma_0);
 
 }  // namespace vortree::vortex

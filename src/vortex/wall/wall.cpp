@@ -81,8 +81,8 @@ Wall::Missed Wall::missed_by_samples(const FoldedBlobs& folded, std::span<const 
     const Vec2 at = folded.at(j);
     const Deviator deviator = folded.deviator(j);
     const bool round = deviator == Deviator{};
-    if (round && shape_->beyond(at, exact_within * length_)) continue;
-    const body::WallPoint w = shape_->nearest(at);
+    const double reach = round ? exact_within * length_ : INFINITY;
+    const body::WallPoint w = folded.wall.nearest(j, at, reach, shape_.get());
     if (w.distance <= exact_within * length_) near_->add_missed(at, w.arc, gamma[j], missed.near);
     if (!round) add_core(at, deviator, w, gamma[j], missed);
   }
@@ -143,15 +143,14 @@ void Wall::add_velocity_of_points(std::span<const double> sheet, const fmm::Opti
 }
 
 void Wall::add_velocity(std::span<const double> sheet, const fmm::Options& sums,
-                        tree::Points targets, Velocities& u) const {
+                        tree::Points targets, Velocities& u, const WallPoints& found) const {
   add_velocity_of_points(sheet, sums, targets, u);
   const std::vector<double> wrapped = near_->wrapped(sheet);
   const auto count = static_cast<std::ptrdiff_t>(targets.size());
 #pragma omp parallel for schedule(dynamic, wall_points_a_turn)
   for (std::ptrdiff_t t = 0; t < count; ++t) {
     const Vec2 at{targets.x[t], targets.y[t]};
-    if (shape_->beyond(at, exact_within * length_)) continue;
-    const body::WallPoint w = shape_->nearest(at);
+    const body::WallPoint w = found.nearest(t, at, exact_within * length_, shape_.get());
     if (std::abs(w.distance) >= exact_within * length_) continue;
     const Vec2 sum = near_->correction(at, w.arc, wrapped);
     u.u[t] += sum.x;

@@ -56,8 +56,10 @@ class Wall {
 
   /// Adds the velocity of a sheet at points of the fluid: panels as point vortices from afar (for
   /// them the trapezoid rule errs by exp(-2 pi distance/b)), exact panel integrals near.
+  ///
+  /// found  wall points nearest to the targets
   void add_velocity(std::span<const double> sheet, const fmm::Options& sums, tree::Points targets,
-                    Velocities& u) const;
+                    Velocities& u, const WallPoints& found = WallPoints()) const;
 
   /// Of the body [m^2].
   double area() const;

@@ -93,7 +93,7 @@ TEST_CASE("of cores scattered along the wall the wall vorticity is that of their
   const double b = finer.panel_length();
   for (double sigma : {b, 1.5 * b, 2 * b}) {
     const Blobs blobs = scattered_sheet(finer, sigma);
-    const auto omega = wall_vorticity(blobs, std::vector<double>(250), wall, nu, dt, sigma_0);
+    const auto omega = wall_shear(blobs, std::vector<double>(250), wall, nu, dt, sigma_0).vorticity;
     const double largest = 2 / (std::sqrt(pi) * sigma);
     double worst = 0, worst_of_sum = 0;
     for (std::size_t i = 0; i < wall.panels(); ++i) {
@@ -148,10 +148,10 @@ TEST_CASE(
         blobs.append(wall.middle(i), 2 * b, std::sqrt(sigma_0 * sigma_0 + 4 * k * nu * dt));
     const double t = steps * dt;
     const double exact = 2 / dt * (2 * std::sqrt(t / (pi * nu)) - t / (2 * radius));
-    for (double omega : wall_vorticity(blobs, sheet, wall, nu, dt, sigma_0))
+    for (double omega : wall_shear(blobs, sheet, wall, nu, dt, sigma_0).vorticity)
       CHECK(omega == Approx(exact).epsilon(0.006));
   }
-  CHECK(wall_vorticity({}, sheet, wall, 0, dt, 0.01)[3] == 0);  // nothing enters without viscosity
+  CHECK(wall_shear({}, sheet, wall, 0, dt, 0.01).vorticity[3] == 0);  // nothing enters without viscosity
 }
 
 TEST_CASE("the pressure force of the sheet a sin theta + c cos theta is pi R^2 (-a, c)/dt") {
@@ -172,7 +172,7 @@ TEST_CASE("the friction of a layer is the integral of its Gaussians at the wall,
       const Blobs blobs = hand_made_layer(cores * sigma, sigma);
       const Vec2 exact = friction_by_quadrature(blobs);
       const Vec2 force =
-          friction_force(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0);
+          wall_shear(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0).friction;
       // Heat at the bent wall would have that much less (tests/vortex/wall/along_wall.cpp).
       CHECK(off(force, exact) < sigma / radius * std::hypot(exact.x, exact.y));
     }
@@ -182,7 +182,8 @@ TEST_CASE("the friction of a layer is the integral of its Gaussians at the wall,
 TEST_CASE("the friction of single blobs is that of their integrals, wherever they are") {
   const Blobs blobs = test::layer(100, radius, 0.05, 0.01, 0.03);
   const Vec2 exact = friction_by_quadrature(blobs);
-  const Vec2 force = friction_force(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0);
+  const Vec2 force =
+      wall_shear(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0).friction;
   CHECK(off(force, exact) < 2e-2 * std::hypot(exact.x, exact.y));
 }
 
@@ -191,8 +192,9 @@ TEST_CASE("the friction of a sheet of sin theta is that of its wall vorticity, a
   std::vector<double> sheet;
   for (std::size_t i = 0; i < wall.panels(); ++i)
     sheet.push_back(-2 * std::sin(test::polar_angle(wall.middle(i))));
-  const double even = wall_vorticity({}, std::vector<double>(60, 2.0), wall, nu, dt, sigma_0)[0];
-  const Vec2 force = friction_force({}, sheet, wall, nu, dt, sigma_0);
+  const double even =
+      wall_shear({}, std::vector<double>(60, 2.0), wall, nu, dt, sigma_0).vorticity[0];
+  const Vec2 force = wall_shear({}, sheet, wall, nu, dt, sigma_0).friction;
   CHECK(force.x == Approx(nu * even * pi * radius).epsilon(1e-6));
   CHECK(std::abs(force.y) < 1e-14);
 }
