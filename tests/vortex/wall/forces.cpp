@@ -151,7 +151,8 @@ TEST_CASE(
     for (double omega : wall_shear(blobs, sheet, wall, nu, dt, sigma_0).vorticity)
       CHECK(omega == Approx(exact).epsilon(0.006));
   }
-  CHECK(wall_shear({}, sheet, wall, 0, dt, 0.01).vorticity[3] == 0);  // nothing enters without viscosity
+  CHECK(wall_shear({}, sheet, wall, 0, dt, 0.01).vorticity[3] ==
+        0);  // nothing enters without viscosity
 }
 
 TEST_CASE("the pressure force of the sheet a sin theta + c cos theta is pi R^2 (-a, c)/dt") {
