@@ -16,8 +16,8 @@ inline constexpr std::uint64_t first_substeps = 8;
 /// velocities err by, and would outnumber the others (vortex/blobs/outflow.hpp).
 inline constexpr double faintest_kept = 1e-12;
 /// Vorticity is faint, times sigma_max, below so much of the merging tolerance: in free space it
-/// has coarser lattices (vortex/adapt/laying.hpp). From 0.02 to 0.1 a free vortex keeps its noise
-/// of 0.19 % and its bias, with 0.61 to 0.55 of the blobs; at 1 it has 0.4 %.
+/// has coarser lattices (vortex/adapt/lattice/laying.hpp). From 0.02 to 0.1 a free vortex keeps its
+/// noise of 0.19 % and its bias, with 0.61 to 0.55 of the blobs; at 1 it has 0.4 %.
 inline constexpr double faint_vorticity = 0.05;
 /// Cores of a free vortex are strained for so long, times its mean vorticity, until they are laid
 /// onto lattices anew. Longer leaves them so long that two halves miss their fourth moments,

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "base/random.hpp"
-#include "vortex/adapt/laying.hpp"
+#include "vortex/adapt/lattice/laying.hpp"
 #include "vortex/adapt/tuning.hpp"
 #include "vortex/cores/folded_core.hpp"
 
@@ -217,19 +217,13 @@ void split_at_wall(std::span<AdaptedBlob> children, std::span<AtWall> at_wall,
 
 constexpr int children_at_wall = 4;
 
-/// From the wall; infinite if that is beyond `reach`.
-double distance_of(Vec2 at, std::size_t i, const WallPoints& found, const body::Shape* wall,
-                   double reach) {
-  if (const double known = found.known(i).distance; known < INFINITY || !wall) return known;
-  return wall->beyond(at, reach) ? INFINITY : wall->distance(at);
-}
-
 /// Where the children of each blob begin, and what they know of the wall. Those that are laid onto
 /// a lattice have none.
 struct Places {
   std::vector<std::uint32_t> children, at_wall;
   std::vector<float> widening, leniency;
   std::vector<std::int8_t> laid;  // onto this level
+  WallPoints nearest;
 
   Places(const Blobs& blobs, double widest, const Splitting& splitting, const body::Shape* wall,
          const Laying& laying, const WallPoints& found)
@@ -237,7 +231,8 @@ struct Places {
         at_wall(blobs.size() + 1),
         widening(blobs.size()),
         leniency(blobs.size()),
-        laid(blobs.size()) {
+        laid(blobs.size()),
+        nearest(blobs.size()) {
     const auto n = static_cast<std::ptrdiff_t>(blobs.size());
     const double alpha = splitting.alpha;
     const bool coarsens = wall && !splitting.coarsening.everywhere_alike();
@@ -248,13 +243,16 @@ struct Places {
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = vortex::widest(blobs.core(i));
       const double seen = std::max(support_of_split * s, laying.seen_from(s));
-      const double distance =
-          distance_of(blobs.centre(i), i, found, wall, coarsens ? INFINITY : seen);
+      const body::WallPoint w = found.nearest(i, blobs.centre(i), seen, wall);
+      nearest.keep(i, w);
+      const bool far = coarsens && w.distance == INFINITY;
+      const double distance = far ? wall->distance(blobs.centre(i)) : w.distance;
       const float of_place = coarsens ? splitting.coarsening.widening(distance) : 1.0f;
       const bool splits = blobs.sigma[i] > widest * of_place;
       const bool folds = distance < (splits ? support_of_split : folded::support) * s;
-      const Laying::Lot lot = folds ? Laying::Lot{.widening = of_place, .leniency = of_place}
-                                    : laying.lot(blobs, i, distance, of_place);
+      Laying::Lot lot = laying.lot(blobs, i, w, distance, of_place);
+      if (folds && lot.level != Laying::along_wall)
+        lot = {.widening = of_place, .leniency = of_place};
       widening[i] = lot.widening;
       leniency[i] = lot.leniency;
       laid[i] = lot.level;
@@ -299,7 +297,7 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
         std::span(adapted.all).subspan(places.children[i], places.children_of(i));
     const AdaptedBlob parent{at.x,          at.y, blobs.gamma[i],     core.square,
                              core.deviator, slot, places.widening[i], places.leniency[i]};
-    const body::WallPoint nearest = near ? found.nearest(i, at, INFINITY, wall) : body::WallPoint{};
+    const body::WallPoint nearest = places.nearest.known(i);
     if (made.size() == 1) {
       made[0] = parent;
       if (near) adapted.at_wall[slot] = beside(nearest, core);
@@ -309,7 +307,7 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
       split_freely(made, parent, alpha2, rings);
     }
   }
-  laying.append_nodes(adapted.all, blobs, places.laid);
+  laying.append_nodes(adapted, blobs, places.laid, places.nearest);
   return adapted;
 }
 

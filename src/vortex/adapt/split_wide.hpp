@@ -33,8 +33,9 @@ struct Splitting {
   std::uint64_t strained_steps = 0;
 };
 
-/// By the scheme `lattice`, lays wide blobs onto lattices wherever the wall is far enough
-/// (laying.hpp). Elsewhere, and by the scheme `ring`:
+/// By the scheme `lattice`, lays wide blobs onto lattices: of the plane wherever the wall is far
+/// enough, else along the wall (laying.hpp). Around edges too sharp for that, and by the scheme
+/// `ring`:
 ///
 /// Replaces each blob wider than sigma_max (widened as its place allows) by M children of gamma/M
 /// and width alpha sigma on an ellipse: the ring of radius sigma sqrt(1 - alpha^2) drawn out as the

@@ -44,6 +44,14 @@ inline constexpr double lattice_leniency = 0.1;
 /// Faint vorticity in free space has lattices so many times as wide, at most. Fast sums feel the
 /// widest core near them: with 4, 5 % fewer blobs took as long.
 inline constexpr double faint_widening = 2;
+/// Cores are laid along the wall if in no direction they have less than so much of a node's square:
+/// thinner ones have negative shares, and lose their fourth moments.
+inline constexpr double narrowest_laid = 0.8;
+/// The lattice along a wall turns with it by so much a step at most [radians]. Around sharper edges
+/// children lie in crosses.
+inline constexpr double sharpest_followed = 0.25;
+/// Columns of that lattice, at least and at most.
+inline constexpr int least_columns = 8, most_columns = 1 << 22;
 /// Of lattices, each a root of two wider than the one before: cores of 2^32 sigma_max.
 inline constexpr int most_levels = 64;
 

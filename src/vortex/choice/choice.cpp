@@ -43,7 +43,7 @@ Choice past_body(const VortexCase& scene, double e) {
   c.sigma_max = std::min({c.sigma_max, beside_body, length / 4});
   c.sigma_max = std::max(c.sigma_max, std::sqrt(4 * nu * c.dt));
   c.sigma_0 = std::min(std::sqrt(2 * nu * c.dt), c.sigma_max);
-  c.merging = e * speed;
+  c.merging = 4 * e * speed;
   c.reach = 3;
   c.cap = 1.2;
   c.velocity = std::clamp(e / 1000, 1e-12, 1e-3);

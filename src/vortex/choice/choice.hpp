@@ -31,9 +31,9 @@ namespace vortree::vortex {
 ///   sigma_0   = sqrt(2 nu dt)               panels: 2.4 sigma_0 long on the circle around the
 ///                                           body, 0.7 of the radius of an edge or tip at most,
 ///                                           128 to 4000 of them
-///   merging.tolerance = e U                 mergers err by no more than is asked: with 4 times as
-///                                           much, half of the drag's bias and half of the noise of
-///                                           forces were theirs, for a quarter fewer blobs
+///   merging.tolerance = 4 e U               beside the wall, where forces come from, hardly
+///                                           anything merges: drag is the same to a tenth of e with
+///                                           a quarter of it, for an eighth more blobs
 ///   merging.reach = 3,  merging.cap = 1.2
 ///   velocity.tolerance = e/1000,  velocity.cores = "both"
 ///
@@ -51,7 +51,7 @@ namespace vortree::vortex {
 ///   merging.tolerance = 0.02 e L omega,  velocity.tolerance = e/1000
 ///
 /// Steps, cores and levels of the lattices that wide blobs are laid onto follow from sigma_max and
-/// dt (vortex/adapt/laying.hpp).
+/// dt (vortex/adapt/lattice/laying.hpp).
 ///
 /// throws  Refused if a needed key is neither written nor chosen, and for an initial flow that
 ///         fills the plane

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 /// Numbers of the wall: what each trades, and how flat its optimum is. Where nothing is said of the
 /// optimum it is not known: the number was not varied.
 namespace vortree::vortex {
@@ -27,6 +29,9 @@ inline constexpr double nearest_of_mean = 0.2;
 /// What the multipole of a body's panels leaves out, of sum |gamma|/(2 pi r): terms against digits,
 /// far below the tolerances of the other sums.
 inline constexpr double disc_tolerance = 1e-10;
+/// Up to so many panels are summed one by one for points near the body: of 217, by the fast sum,
+/// points would cost four times as much.
+inline constexpr std::size_t panels_one_by_one = 600;
 /// Registers of points that read the disc's series together: more hide more of its latency, until
 /// they spill.
 inline constexpr int disc_registers = 3;

@@ -134,7 +134,9 @@ void Wall::add_velocity_of_points(std::span<const double> sheet, const fmm::Opti
   if (!far.empty())
     DiscMultipole(disc, {middle_x_, middle_y_}, circulation).add_velocity(targets, far, u);
   Velocities upon_near(near.size());
-  fmm::Plan({middle_x_, middle_y_, circulation, {}}, sums)
+  fmm::Options near_sums = sums;
+  if (panels() <= panels_one_by_one) near_sums.method = fmm::SumMethod::direct;
+  fmm::Plan({middle_x_, middle_y_, circulation, {}}, near_sums)
       .velocity(fmm::Targets{x, y, {}}, upon_near.u, upon_near.v);
   for (std::size_t k = 0; k < near.size(); ++k) {
     u.u[near[k]] += upon_near.u[k];

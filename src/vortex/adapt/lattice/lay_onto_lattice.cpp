@@ -1,4 +1,4 @@
-#include "vortex/adapt/lay_onto_lattice.hpp"
+#include "vortex/adapt/lattice/lay_onto_lattice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,8 @@
 #include <numeric>
 
 #include "tree/order/radix_sort.hpp"
-#include "vortex/adapt/spline_nodes.hpp"
+#include "vortex/adapt/lattice/spline_nodes.hpp"
+#include "vortex/adapt/lattice/units.hpp"
 #include "vortex/adapt/tuning.hpp"
 
 namespace vortree::vortex {
@@ -109,39 +110,16 @@ struct ReachedTiles {
   }
 };
 
-/// Shares of circulation in whole numbers of a unit, a power of two so small that all circulation
-/// of both signs is 2^58 to 2^59 of them, and no sum of shares more than 2^63.
-struct Unit {
-  int exponent = 0;
-
-  explicit Unit(std::span<const WideBlob> blobs) {
-    double all = 0;
-    for (const WideBlob& b : blobs) all += std::abs(b.gamma);
-    if (all > 0) exponent = std::ilogb(all) - 58;
-  }
-  double in_units(double gamma) const { return std::ldexp(gamma, -exponent); }
-  double circulation(std::int64_t units) const {
-    return std::ldexp(static_cast<double>(units), exponent);
-  }
-};
-
-/// The shares of one blob, together what it has itself; the one in the middle has what is left.
-template <std::size_t N>
-std::array<std::int64_t, N> parted(double gamma_in_units, const std::array<double, N>& share) {
-  std::array<std::int64_t, N> units;
-  std::int64_t left = std::llrint(gamma_in_units);
-  for (std::size_t k = 0; k < N; ++k) {
-    units[k] = std::llrint(gamma_in_units * share[k]);
-    if (k != N / 2) left -= units[k];
-  }
-  units[N / 2] = left;
-  return units;
+double strength(std::span<const WideBlob> blobs) {
+  double all = 0;
+  for (const WideBlob& b : blobs) all += std::abs(b.gamma);
+  return all;
 }
 
 /// Adds what of a blob falls into a tile.
 template <class Nodes>
-void add(Sums& sums, Tile tile, const Nodes& nodes, double gamma_in_units) {
-  const auto units = parted(gamma_in_units, nodes.share);
+void add(Sums& sums, Tile tile, const Nodes& nodes, std::int64_t gamma) {
+  const auto units = parted(gamma, nodes.share);
   constexpr std::int64_t reach = units.size() == 9 ? 1 : SplineNodes::reach, row = 2 * reach + 1;
   const std::int64_t x = nodes.gx - first_x(tile), y = nodes.gy - first_y(tile);
   for (std::int64_t b = -reach; b <= reach; ++b)
@@ -161,7 +139,7 @@ bool on_lattices(Vec2 at, double sigma_max) {
 std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, double sigma_max,
                                           Shares shares) {
   const AllLevels levels(sigma_max);
-  const Unit unit(blobs);
+  const CirculationUnits units(strength(blobs));
   const ReachedTiles tiled(blobs, levels, shares == Shares::nine ? 1 : SplineNodes::reach);
   const std::size_t tiles = tiled.first.size() - 1;
   std::vector<Sums> sums(tiles);
@@ -171,7 +149,7 @@ std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, doubl
     const Tile tile = tiled.tile[tiled.first[t]];
     for (std::size_t k = tiled.first[t]; k < tiled.first[t + 1]; ++k) {
       const WideBlob& b = blobs[tiled.blob[k]];
-      const double gamma = unit.in_units(b.gamma);
+      const std::int64_t gamma = units.of(b.gamma);
       if (shares == Shares::nine)
         add(sums[t], tile, NineNodes(b.at, b.core, levels[b.level]), gamma);
       else
@@ -191,7 +169,7 @@ std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, doubl
       if (sums[t][k] != 0)
         made[next++] = {{h * static_cast<double>(first_x(tile) + k % across),
                          h * static_cast<double>(first_y(tile) + k / across)},
-                        unit.circulation(sums[t][k]),
+                        units.circulation(sums[t][k]),
                         level};
   }
   return made;

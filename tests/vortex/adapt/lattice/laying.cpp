@@ -1,9 +1,9 @@
-#include "vortex/adapt/laying.hpp"
+#include "vortex/adapt/lattice/laying.hpp"
 
 #include <catch2/catch.hpp>
 
 #include "body/shapes/circle.hpp"
-#include "vortex/adapt/lay_onto_lattice.hpp"
+#include "vortex/adapt/lattice/lay_onto_lattice.hpp"
 #include "vortex/adapt/merge_close.hpp"
 #include "vortex/strained_flows.hpp"
 
@@ -47,7 +47,8 @@ TEST_CASE("beside a wall laying and splitting together keep circulation and the 
   CHECK(drift.moment < 1e-14 * test::strength(blobs));
 }
 
-TEST_CASE("nodes are free of the wall's folding, and lie as near to it as that lets them") {
+TEST_CASE(
+    "free nodes are free of the wall's folding, as near as that lets them; nearer, along it") {
   const auto wall = body::circle({}, radius);
   const double s = 0.77 * sigma_max;
   double nearest = INFINITY;
@@ -56,7 +57,12 @@ TEST_CASE("nodes are free of the wall's folding, and lie as near to it as that l
     const double phi = 2 * std::numbers::pi * uniform(), r = radius + sigma_max * 8 * uniform();
     const Blobs after = laid(one(r * vortree::Vec2{std::cos(phi), std::sin(phi)}, 1.05 * sigma_max),
                              usual, wall.get());
-    if (after.sigma[0] != Approx(s).epsilon(1e-12)) continue;  // split or whole
+    REQUIRE(after.sigma[0] == Approx(s).epsilon(1e-12));
+    const double h = LatticeLevel(sigma_max, 0).h;
+    if (!on(after.x[0], h) || !on(after.y[0], h)) {  // along the wall
+      CHECK(r - radius < 4.3 * s + 2 * h);
+      continue;
+    }
     for (std::size_t i = 0; i < after.size(); ++i)
       nearest = std::min(nearest, wall->distance(after.centre(i)));
   }

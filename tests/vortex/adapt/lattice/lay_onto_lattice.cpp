@@ -1,4 +1,4 @@
-#include "vortex/adapt/lay_onto_lattice.hpp"
+#include "vortex/adapt/lattice/lay_onto_lattice.hpp"
 
 #include <catch2/catch.hpp>
 

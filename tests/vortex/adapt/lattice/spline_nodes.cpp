@@ -1,8 +1,8 @@
-#include "vortex/adapt/spline_nodes.hpp"
+#include "vortex/adapt/lattice/spline_nodes.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "vortex/adapt/lay_onto_lattice.hpp"
+#include "vortex/adapt/lattice/lay_onto_lattice.hpp"
 #include "vortex/strained_flows.hpp"
 
 using namespace vortree;

@@ -1,10 +1,10 @@
-#include "vortex/adapt/laying.hpp"
+#include "vortex/adapt/lattice/laying.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "vortex/adapt/lay_onto_lattice.hpp"
+#include "vortex/adapt/lattice/lay_onto_lattice.hpp"
 #include "vortex/adapt/tuning.hpp"
 #include "vortex/cores/folded_core.hpp"
 
@@ -24,10 +24,15 @@ std::uint64_t period(const LatticeLevel& level, double spread) {
 }  // namespace
 
 Laying::Laying(const Splitting& splitting, const body::Shape* wall, std::uint64_t step)
-    : splitting_(splitting), wall_(wall), clock_((step & 0xffffffffu) + (step >> 32)) {
+    : splitting_(splitting),
+      wall_(wall),
+      clock_((step & 0xffffffffu) + (step >> 32)),
+      wall_lattice_(splitting.sigma_max, 0) {
   if (splitting.spread > 0)
     period_ = period(LatticeLevel(splitting.sigma_max, 0), splitting.spread);
   if (strains()) period_ = std::min(period_ > 0 ? period_ : UINT64_MAX, splitting.strained_steps);
+  wall_lattice_ = WallLattice(splitting.sigma_max, static_cast<double>(period_) * splitting.spread);
+  wall_is_followed_ = wall && wall_lattice_.fits(*wall);
 }
 
 double Laying::seen_from(double widest) const {
@@ -65,12 +70,23 @@ float Laying::widening(double of_place, int finest) const {
   return static_cast<float>(std::max(of_place, std::exp2(0.5 * finest)));
 }
 
-Laying::Lot Laying::lot(const Blobs& blobs, std::size_t i, double distance, float of_place) const {
+/// Whether a blob is laid along the wall in this step.
+bool Laying::goes_along_wall(const Core& core, const body::WallPoint& nearest) const {
+  const bool wide = core.square >= 2 * splitting_.sigma_max * splitting_.sigma_max;
+  return wall_is_followed_ && nearest.distance < zone * splitting_.sigma_max &&
+         (in_turn(0) || wide) && wall_lattice_.takes(core, nearest);
+}
+
+Laying::Lot Laying::lot(const Blobs& blobs, std::size_t i, const body::WallPoint& nearest,
+                        double distance, float of_place) const {
   const Core core = blobs.core(i);
   const double sure = blobs.gamma[i] + core.square + core.deviator.size();
+  if (splitting_.scheme != SplitScheme::lattice || !std::isfinite(sure))
+    return {.widening = of_place, .leniency = of_place};
+  if (goes_along_wall(core, nearest))
+    return {.level = along_wall, .widening = of_place, .leniency = of_place};
   const int level = finest(distance, of_place * faintness(blobs.gamma[i], core.square));
-  if (splitting_.scheme != SplitScheme::lattice || level == none || !std::isfinite(sure) ||
-      !on_lattices(blobs.centre(i), splitting_.sigma_max))
+  if (level == none || !on_lattices(blobs.centre(i), splitting_.sigma_max))
     return {.widening = of_place, .leniency = of_place};
   Lot lot{.free = true,
           .widening = widening(of_place, level),
@@ -96,12 +112,7 @@ AdaptedBlob Laying::node(Vec2 at, double gamma, int level) const {
           static_cast<float>(lattice_leniency) * of_place};
 }
 
-void Laying::append_nodes(Unwritten<AdaptedBlob>& all, const Blobs& blobs,
-                          std::span<const std::int8_t> level) const {
-  std::vector<WideBlob> wide;
-  for (std::size_t i = 0; i < blobs.size(); ++i)
-    if (level[i] != none)
-      wide.push_back({blobs.centre(i), blobs.gamma[i], blobs.core(i), level[i]});
+void Laying::append_free_nodes(Unwritten<AdaptedBlob>& all, std::span<const WideBlob> wide) const {
   if (wide.empty()) return;
   const std::vector<LatticeNode> nodes =
       lay_onto_lattice(wide, splitting_.sigma_max, strains() ? Shares::spline : Shares::nine);
@@ -111,6 +122,20 @@ void Laying::append_nodes(Unwritten<AdaptedBlob>& all, const Blobs& blobs,
 #pragma omp parallel for schedule(static)
   for (std::ptrdiff_t i = 0; i < n; ++i)
     all[first + i] = node(nodes[i].at, nodes[i].gamma, nodes[i].level);
+}
+
+void Laying::append_nodes(AdaptedBlobs& adapted, const Blobs& blobs,
+                          std::span<const std::int8_t> level, const WallPoints& nearest) const {
+  std::vector<WideBlob> wide;
+  std::vector<WideAtWall> at_wall;
+  for (std::size_t i = 0; i < blobs.size(); ++i) {
+    if (level[i] == along_wall)
+      at_wall.push_back({blobs.centre(i), blobs.gamma[i], blobs.core(i), nearest.known(i)});
+    else if (level[i] != none)
+      wide.push_back({blobs.centre(i), blobs.gamma[i], blobs.core(i), level[i]});
+  }
+  append_free_nodes(adapted.all, wide);
+  if (wall_) lay_along_wall(adapted, at_wall, wall_lattice_, *wall_);
 }
 
 }  // namespace vortree::vortex

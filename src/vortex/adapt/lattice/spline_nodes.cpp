@@ -1,8 +1,8 @@
-#include "vortex/adapt/spline_nodes.hpp"
+#include "vortex/adapt/lattice/spline_nodes.hpp"
 
 #include <cmath>
 
-#include "vortex/adapt/lay_onto_lattice.hpp"
+#include "vortex/adapt/lattice/lay_onto_lattice.hpp"
 
 namespace vortree::vortex {
 namespace {
