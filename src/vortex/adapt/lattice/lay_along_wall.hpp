@@ -77,7 +77,7 @@ struct WideAtWall {
 ///
 /// Shares are added as whole numbers (units.hpp).
 /// error   circulation and impulse: round-off; the mean distance from the wall of a sheet released
-///         at once grows to 0.3 to 0.7 % too much (tests/vortex/adapt/lattice/lay_along_wall.cpp)
+///         at once grows to 0.3 to 0.8 % too much (tests/vortex/adapt/lattice/lay_along_wall.cpp)
 /// cost    O(blobs + columns)
 /// source  our own
 void lay_along_wall(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,

@@ -142,7 +142,7 @@ TEST_CASE("the second moment of what is laid along a wall is kept to second orde
   }
 }
 
-TEST_CASE("a sheet released at once spreads along a lattice as heat does, to 0.7 %") {
+TEST_CASE("a sheet released at once spreads along a lattice as heat does, to 0.8 %") {
   const double radius = 5;  // so large that the formula for a bent wall, of first order, is exact
   const auto wall = body::circle({}, radius);
   vortex::Splitting splitting{.sigma_max = sigma_max};
@@ -160,7 +160,7 @@ TEST_CASE("a sheet released at once spreads along a lattice as heat does, to 0.7
     const Layer layer(blobs, *wall);
     CAPTURE(step, blobs.size());
     const double mean = s * vortex::folded::inverse_sqrt_pi - square / radius / 8;
-    CHECK(std::abs(layer.mean / mean - 1) < 0.007);
+    CHECK(std::abs(layer.mean / mean - 1) < 0.008);
     if (step > 4)
       CHECK(std::abs(layer.at_wall * s / (2 * vortex::folded::inverse_sqrt_pi) - 1) < 0.01);
   }
