@@ -16,11 +16,12 @@
 namespace vortree::kept_memory {
 namespace {
 
-constexpr std::align_val_t alignment{2u << 20};  // a large page
+constexpr std::size_t large_page = 2u << 20;
+constexpr std::align_val_t alignment{large_page};
 
 // Sizes are rounded up, by an eighth at most, so that a little more or less next time fits.
 std::size_t rounded(std::size_t bytes) {
-  std::size_t unit = std::size_t{1} << 16;
+  std::size_t unit = std::size_t{1} << 10;
   while (unit * 16 <= bytes) unit *= 2;
   return (bytes + unit - 1) / unit * unit;
 }
@@ -34,7 +35,7 @@ class Store {
     const std::size_t size = rounded(bytes);
     const std::lock_guard lock(mutex_);
     auto piece = best_fit(size);
-    if (piece == idle_.end()) piece = add_region(size);
+    if (piece == idle_.end()) piece = add_region(std::max(size, large_page));
     std::byte* const memory = piece->first;
     if (piece->second > size) idle_.emplace(memory + size, piece->second - size);
     idle_.erase(piece);
@@ -42,7 +43,7 @@ class Store {
     used_.emplace(memory, size);
     used_bytes_ += size;
     most_ = std::max(most_, used_bytes_);
-    shrink(most_ + most_ / tree::spare_memory - used_bytes_);
+    shrink(most_ + most_ / tree::spare_memory + 2 * large_page - used_bytes_);
     return memory;
   }
 

@@ -7,16 +7,19 @@
 
 namespace vortree {
 
-/// Large blocks of memory that outlive their vectors: the next step of a flow asks for the same
+/// Blocks of memory that outlive their vectors: the next step of a flow asks for the same
 /// ones again, and fresh pages of the system cost more than most passes over them do (0.4 ns a
-/// byte, with large pages 0.05). Blocks lie in large pages, if the system has them, and serve again
-/// whole, in parts, or joined to what was cut from them.
+/// byte, with large pages 0.05), and malloc may return them at the end of every step. Blocks lie in
+/// large pages, if the system has them, and serve again whole, in parts, or joined to what was cut
+/// from them.
 ///
-/// Kept are, together with what is in use, no more bytes than were once in use at the same time and
-/// an eighth; unless a block in use holds on to the rest of its region. Safe for threads.
+/// Kept are, together with what is in use, no more bytes than were once in use at the same time, an
+/// eighth, and two large pages; unless a block in use holds on to the rest of its region. Safe for
+/// threads.
 namespace kept_memory {
 
-inline constexpr std::size_t least = 1u << 20;  // bytes; smaller blocks are malloc's business
+/// Smaller blocks [bytes] are malloc's business: so few that it keeps them.
+inline constexpr std::size_t least = 1u << 14;
 
 /// bytes   at least `least`
 /// throws  std::bad_alloc

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <random>
 #include <span>
@@ -40,12 +41,37 @@ TEST_CASE("from the second step on memory is that of the step before") {
   CHECK(kept_memory::idle() == 0);
 }
 
+TEST_CASE("small blocks lie together, apart from each other, and are those of the step before") {
+  kept_memory::release();
+  const auto small_step = [] {
+    std::vector<void*> blocks;
+    for (std::size_t k = 0; k < 40; ++k)
+      blocks.push_back(kept_memory::take(kept_memory::least + 1000 * k));
+    for (std::size_t k = 0; k < 40; ++k)
+      std::memset(blocks[k], static_cast<int>(k), kept_memory::least + 1000 * k);
+    for (std::size_t k = 0; k < 40; ++k) {
+      const auto* first = static_cast<const unsigned char*>(blocks[k]);
+      CHECK(reinterpret_cast<std::uintptr_t>(first) % 64 == 0);
+      CHECK(std::count(first, first + kept_memory::least + 1000 * k, k) ==
+            static_cast<std::ptrdiff_t>(kept_memory::least + 1000 * k));
+    }
+    for (void* memory : blocks) kept_memory::give_back(memory);
+    return blocks;
+  };
+  const auto first = small_step();
+  CHECK(kept_memory::idle() == 2 * mebibyte);
+  CHECK(small_step() == first);
+  kept_memory::release();
+  CHECK(kept_memory::idle() == 0);
+}
+
 TEST_CASE("blocks of kept memory never overlap, whatever was taken and given back before") {
   std::mt19937 random(1);
   std::vector<std::span<unsigned char>> blocks;
   for (int turn = 0; turn < 500; ++turn) {
     if (blocks.size() < 8 && random() % 3 != 0) {
-      const std::size_t bytes = mebibyte + random() % (4 * mebibyte);
+      const std::size_t most = random() % 2 == 0 ? 4 * mebibyte : mebibyte / 8;
+      const std::size_t bytes = kept_memory::least + random() % most;
       const std::span block(static_cast<unsigned char*>(kept_memory::take(bytes)), bytes);
       std::memset(block.data(), static_cast<int>(random() % 256), bytes);
       blocks.push_back(block);
