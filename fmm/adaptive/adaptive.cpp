@@ -1,12 +1,13 @@
-#include "fmm/adaptive/adaptive.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "fmm/adaptive/adaptive.hpp"
 #include "fmm/geometry/vortices.hpp"
 #include "fmm/tuning.hpp"
+#include "tree/base/parallel.hpp"
 #include "tree/build/split_rule.hpp"
 
 namespace vortree::fmm {
@@ -51,9 +52,9 @@ Adaptive::Adaptive(const Sources& sources, const Units& units, const Options& op
       order_(choose_order(options_)) {
   tell(phase_, "tree");
   grow(sources);
+  leaf_runs_ = LeafRuns(leaves_);
   list();
   if (!serves_) return;
-  leaf_runs_ = LeafRuns(leaves_);
   tell(phase_, "upward");
   const auto make = [&]<class Number>(Number) {
     FarField<Number> far(stage(), TranslationTables<Number>(order_.most, order_.terms));
@@ -90,7 +91,7 @@ void Adaptive::list() {
     lists_ = InteractionLists(tree_, few_points, {});
     return;
   }
-  core_.resize(cells.size());
+  core_.resize(cells.size(), 0.0);
   least_core_.resize(cells.size(), Units::largest_core);
   const auto childless = tree_.childless();
   for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
@@ -110,18 +111,18 @@ void Adaptive::list() {
 }
 
 double Adaptive::near_pairs() const {
-  double pairs = 0.0;  // whole numbers: the same in any order
-#pragma omp parallel reduction(+ : pairs)
-  {
-    std::vector<tree::Range> runs;
-#pragma omp for schedule(static)
-    for (std::size_t leaf = 0; leaf < leaves_.count(); ++leaf) {
-      near_cells(static_cast<std::uint32_t>(leaf), false, runs);
+  std::vector<double> pairs(leaf_runs_.size(), 0.0);
+  const auto count = [&](std::uint32_t s, std::vector<tree::Range>& runs) {
+    for (std::uint32_t leaf = leaf_runs_[s].first; leaf < leaf_runs_[s].last; ++leaf) {
+      near_cells(leaf, false, runs);
       for (const tree::Range run : runs)
-        pairs += static_cast<double>(run.size()) * leaves_.size[leaf];
+        pairs[s] += static_cast<double>(run.size()) * leaves_.size[leaf];
     }
-  }
-  return pairs;
+  };
+  tree::share_in_turn(
+      tree::all_of(pairs.size()), 1, pairs.size() > 1, [] { return std::vector<tree::Range>(); },
+      count);
+  return std::accumulate(pairs.begin(), pairs.end(), 0.0);
 }
 
 Acceptance Adaptive::acceptance(bool cored) const {

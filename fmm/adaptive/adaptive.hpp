@@ -110,8 +110,8 @@ class Adaptive final : public Evaluator {
   tree::Quadtree base_;
   DeepTree tree_;
   Leaves leaves_;
-  std::vector<double> core_;        // of each cell, the largest squared core inside; empty if bare
-  std::vector<double> least_core_;  // and the least
+  Reals core_;        // of each cell, the largest squared core inside; empty if bare
+  Reals least_core_;  // and the least
   InteractionLists lists_;
   LeafRuns leaf_runs_;
   Far far_;

@@ -4,6 +4,7 @@
 #include "fmm/field/field.hpp"
 #include "fmm/mutual/mutual_cores.hpp"
 #include "fmm/mutual/mutual_near.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 
@@ -200,24 +201,23 @@ Expected Adaptive::sweep(const Sums<sums>& results) const {
     memory[s].resize(leaves_.places());
     all[s] = memory[s].data();
   }
-#pragma omp parallel
-  {
-    Scratch<sums> scratch{
+  const auto make_scratch = [&] {
+    return Scratch<sums>{
         {tree_, lists_, leaves_, coarse(options_)},
         {leaves_, options_.cores, core_reach2(options_.tolerance), coarse(options_)},
         {},
         {}};
-#pragma omp for schedule(dynamic)
-    for (std::size_t s = 0; s < leaf_runs_.size(); ++s) {
-      const tree::Range leaf_run = leaf_runs_[s], places = leaves_.places(leaf_run);
-      for (double* sum : all) std::fill_n(sum + places.first, places.size(), 0.0);
-      add_near(leaf_run, scratch, all);
-      add_far(leaf_run, all);
-      expected[s] = expect(leaf_run, all, errors_, 0);
-      if (sums == slope_sums) expected_slopes[s] = expect(leaf_run, all, slopes, 1);
-      hand_out(leaf_run, all, results);
-    }
-  }
+  };
+  const auto sum = [&](std::uint32_t s, Scratch<sums>& scratch) {
+    const tree::Range leaf_run = leaf_runs_[s], places = leaves_.places(leaf_run);
+    for (double* column : all) std::fill_n(column + places.first, places.size(), 0.0);
+    add_near(leaf_run, scratch, all);
+    add_far(leaf_run, all);
+    expected[s] = expect(leaf_run, all, errors_, 0);
+    if (sums == slope_sums) expected_slopes[s] = expect(leaf_run, all, slopes, 1);
+    hand_out(leaf_run, all, results);
+  };
+  tree::share_in_turn(tree::all_of(leaf_runs_.size()), 1, leaf_runs_.size() > 1, make_scratch, sum);
   const Expected velocity = total(expected);
   Expected slope = total(expected_slopes);
   units_.check_range(velocity.found, size(), 0);

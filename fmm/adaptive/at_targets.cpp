@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "fmm/tuning.hpp"
+#include "tree/base/parallel.hpp"
 #include "tree/order/sort.hpp"
 
 namespace vortree::fmm {
@@ -170,12 +171,13 @@ Adaptive::Groups Adaptive::group(const Targets& targets, bool cored) const {
   const bool wide = cored && options_.cores == Cores::mean && !targets.sigma.empty();
   Groups groups;
   groups.held.resize(targets.size());
-#pragma omp parallel for schedule(static)
-  for (std::size_t k = 0; k < groups.held.size(); ++k) {
+  const auto hold = [&](std::uint32_t k) {
     const std::uint32_t i = sorted.index[k];
     const double x = units_.position(targets.x[i]), y = units_.position(targets.y[i]);
     groups.held[k] = {wide ? outside : holder(x, y), i};
-  }
+  };
+  tree::share_evenly(tree::all_of(targets.size()), targets.size() > tree::records_worth_sharing,
+                     hold);
   std::ranges::stable_sort(groups.held, {}, &Held::cell);
   groups.first = find_batches(groups.held);
   return groups;
@@ -186,25 +188,22 @@ Expected Adaptive::evaluate_elsewhere(const Targets& targets, bool cored, std::s
   if (targets.size() == 0) return {};
   const Groups groups = group(targets, cored);
   std::vector<Expected> expected(groups.size());
-#pragma omp parallel
-  {
-    Elsewhere found;
-#pragma omp for schedule(dynamic, 4)
-    for (std::size_t b = 0; b < groups.size(); ++b) {
-      const std::span<const Held> some = groups[b];
-      take(targets, units_, some, found.batch);
-      const Lost lost = sum_batch(some[0].cell, cored, found);
-      const auto square = [&](const std::vector<double>& sums) {
-        return sum_of_squares(std::span(sums).first(some.size()));
-      };
-      expected[b] = {square(found.batch.u) + square(found.batch.v),
-                     static_cast<double>(some.size()) * lost};
-      for (std::size_t i = 0; i < some.size(); ++i) {
-        u[some[i].index] = found.batch.u[i];
-        v[some[i].index] = found.batch.v[i];
-      }
+  const auto sum = [&](std::uint32_t b, Elsewhere& found) {
+    const std::span<const Held> some = groups[b];
+    take(targets, units_, some, found.batch);
+    const Lost lost = sum_batch(some[0].cell, cored, found);
+    const auto square = [&](const std::vector<double>& sums) {
+      return sum_of_squares(std::span(sums).first(some.size()));
+    };
+    expected[b] = {square(found.batch.u) + square(found.batch.v),
+                   static_cast<double>(some.size()) * lost};
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      u[some[i].index] = found.batch.u[i];
+      v[some[i].index] = found.batch.v[i];
     }
-  }
+  };
+  tree::share_in_turn(
+      tree::all_of(groups.size()), 4, groups.size() > 4, [] { return Elsewhere(); }, sum);
   const Expected all = total(expected);
   units_.check_range(all.found, targets.size(), 0);
   units_.to_velocity(u);

@@ -7,7 +7,7 @@
 #include "fmm/losses/expected.hpp"
 #include "fmm/series/expansion_kernel.hpp"
 #include "fmm/series/lattice_order.hpp"
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -90,26 +90,38 @@ FarField<Number>::FarField(const Stage& stage, TranslationTables<Number> tables)
     charge_weights_[k] = static_cast<Number>(1 / mean_power(k));
   }
   const auto childless = stage.tree.childless();
-#pragma omp parallel for schedule(static)
-  for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) add_points(stage, childless[leaf]);
+  tree::share_evenly(tree::all_of(childless.size()), childless.size() > tree::series_worth_sharing,
+                     [&](std::uint32_t leaf) { add_points(stage, childless[leaf]); });
+  Families spare(tables_.order, padded_);
   for (int level = stage.tree.depth() - 1; level >= 0; --level) {
-    const tree::Range range = stage.tree.level(level);
-    std::vector<std::uint32_t> parents;
-    for (std::uint32_t c = range.first; c < range.last; ++c) {
-      if (!cells[c].childless()) parents.push_back(c);
-    }
-    const std::size_t batches = (parents.size() + Families::lanes - 1) / Families::lanes;
-#pragma omp parallel if (batches > tree::upward_worth_sharing)
-    {
-      Families families(tables_.order, padded_);
-#pragma omp for schedule(static)
-      for (std::size_t b = 0; b < batches; ++b) {
-        families.parents = &parents[b * Families::lanes];
-        families.size = static_cast<int>(
-            std::min<std::size_t>(Families::lanes, parents.size() - b * Families::lanes));
-        add_children(stage, families);
-      }
-    }
+    for_each_batch(stage, level, tree::upward_worth_sharing, spare,
+                   [&](Families& families) { add_children(stage, families); });
+  }
+}
+
+/// `use(families)` for all parents of a level, a vector of them at a time; of one thread in the
+/// spare room.
+template <class Number>
+template <class Use>
+void FarField<Number>::for_each_batch(const Stage& stage, int level, std::size_t worth_sharing,
+                                      Families& spare, const Use& use) {
+  constexpr std::size_t lanes = Families::lanes;
+  const tree::Range range = stage.tree.level(level);
+  std::vector<std::uint32_t> parents;
+  for (std::uint32_t c = range.first; c < range.last; ++c) {
+    if (!stage.tree.cells()[c].childless()) parents.push_back(c);
+  }
+  const std::size_t batches = (parents.size() + lanes - 1) / lanes;
+  const auto take = [&](std::uint32_t b, Families& families) {
+    families.parents = &parents[b * lanes];
+    families.size = static_cast<int>(std::min(lanes, parents.size() - b * lanes));
+    use(families);
+  };
+  if (batches <= worth_sharing) {
+    for (std::uint32_t b = 0; b < batches; ++b) take(b, spare);
+  } else {
+    tree::share_in_turn(
+        tree::all_of(batches), 4, true, [&] { return Families(tables_.order, padded_); }, take);
   }
 }
 
@@ -167,30 +179,15 @@ void FarField<Number>::add_children(const Stage& stage, Families& families) {
 
 template <class Number>
 void FarField<Number>::descend(const Stage& stage) {
-  const auto cells = stage.tree.cells();
-  locals_.resize(cells.size() * stride());
+  locals_.resize(stage.tree.cells().size() * stride());
   std::fill_n(locals_.begin(), std::min(stride(), locals_.size()), Number{0});
+  Families spare(tables_.order, padded_);
   for (int level = 0; level < stage.tree.depth(); ++level) {
-    const tree::Range range = stage.tree.level(level);
-    std::vector<std::uint32_t> parents;
-    for (std::uint32_t c = range.first; c < range.last; ++c) {
-      if (!cells[c].childless()) parents.push_back(c);
-    }
-    const std::size_t batches = (parents.size() + Families::lanes - 1) / Families::lanes;
-#pragma omp parallel if (batches > tree::downward_worth_sharing)
-    {
-      Families families(tables_.order, padded_);
-#pragma omp for schedule(dynamic, 4)
-      for (std::size_t b = 0; b < batches; ++b) {
-        families.parents = &parents[b * Families::lanes];
-        families.size = static_cast<int>(
-            std::min<std::size_t>(Families::lanes, parents.size() - b * Families::lanes));
-        meet_families(stage, families);
-      }
-    }
+    for_each_batch(stage, level, tree::downward_worth_sharing, spare,
+                   [&](Families& families) { meet_families(stage, families); });
     const tree::Range below = stage.tree.level(level + 1);
-#pragma omp parallel for schedule(dynamic, 64) if (below.size() > tree::series_worth_sharing)
-    for (std::uint32_t c = below.first; c < below.last; ++c) add_far(stage, c);
+    tree::share_in_turn(below, 64, below.size() > tree::series_worth_sharing,
+                        [&](std::uint32_t c) { add_far(stage, c); });
   }
 }
 

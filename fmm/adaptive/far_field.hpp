@@ -70,6 +70,9 @@ class FarField {
   [[nodiscard]] Number* local(std::size_t cell) { return &locals_[cell * stride()]; }
   [[nodiscard]] const Number* local(std::size_t cell) const { return &locals_[cell * stride()]; }
 
+  template <class Use>
+  void for_each_batch(const Stage& stage, int level, std::size_t worth_sharing, Families& spare,
+                      const Use& use);
   void add_points(const Stage& stage, std::uint32_t cell);
   void add_children(const Stage& stage, Families& families);
   void add_far(const Stage& stage, std::uint32_t cell);
@@ -80,7 +83,7 @@ class FarField {
   int padded_ = 0;
   Series multipoles_, locals_;
   std::vector<Number> charge_weights_;
-  std::vector<Charge> charges_;
+  Unwritten<Charge> charges_;
 };
 
 }  // namespace vortree::fmm

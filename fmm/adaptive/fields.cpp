@@ -4,6 +4,7 @@
 #include "fmm/adaptive/at_targets.hpp"
 #include "fmm/adaptive/stream_constants.hpp"
 #include "fmm/field/field.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 
@@ -33,40 +34,40 @@ Expected Adaptive::evaluate_field(const Field& field, const FarField<Number>& fa
   if (with_cores) accepted.reach2 = Field::reach2(options_.tolerance);
   const Groups groups = group(targets, with_cores);
   std::vector<Expected> expected(groups.size());
-#pragma omp parallel
-  {
+  struct Room {
     Elsewhere found;
     std::array<std::vector<double>, Field::count> sums;
-#pragma omp for schedule(dynamic, 4)
-    for (std::size_t b = 0; b < groups.size(); ++b) {
-      const std::span<const Held> some = groups[b];
-      const std::uint32_t own = some[0].cell;
-      const std::uint32_t cell = Field::farther ? wide_cell(own, accepted.reach2) : own;
-      Batch& batch = found.batch;
-      take(targets, units_, some, batch);
-      FieldTargets at{batch.x.data(), batch.y.data(), batch.core.data(), {}, batch.size};
-      for (std::size_t s = 0; s < Field::count; ++s) {
-        sums[s].assign(batch.x.size(), 0.0);
-        at.sums[s] = sums[s].data();
-      }
-      const TargetBox box =
-          around({at.x, at.y, at.core, batch.u.data(), batch.v.data(), batch.size});
-      find_sources(cell, box, accepted, found);
-      if (cell != outside) field.add_local(far.view_local(cell), tree_.frame(cell), cell, at);
-      for (const std::uint32_t c : found.series) {
-        field.add_multipole(far.view_multipole(c), tree_.frame(c), at);
-      }
-      found.sources.pack(leaves_.points, leaves_.gamma, box, accepted, found.near);
-      found.sources.sum(field, CoreShares(options_.cores), at);
-      for (std::size_t s = 0; s < Field::count; ++s) {
-        for (std::size_t i = 0; i < some.size(); ++i) results[s][some[i].index] = sums[s][i];
-        expected[b].found += sum_of_squares(std::span(sums[s]).first(some.size()));
-      }
-      Lost lost = lost_far(errors, far, cell, box, found);
-      if (with_cores) lost += found.sources.lost(accepted.reach2, Field::derivative, false);
-      expected[b].lost = static_cast<double>(some.size()) * lost;
+  };
+  const auto sum = [&](std::uint32_t b, Room& room) {
+    auto& [found, sums] = room;
+    const std::span<const Held> some = groups[b];
+    const std::uint32_t own = some[0].cell;
+    const std::uint32_t cell = Field::farther ? wide_cell(own, accepted.reach2) : own;
+    Batch& batch = found.batch;
+    take(targets, units_, some, batch);
+    FieldTargets at{batch.x.data(), batch.y.data(), batch.core.data(), {}, batch.size};
+    for (std::size_t s = 0; s < Field::count; ++s) {
+      sums[s].assign(batch.x.size(), 0.0);
+      at.sums[s] = sums[s].data();
     }
-  }
+    const TargetBox box = around({at.x, at.y, at.core, batch.u.data(), batch.v.data(), batch.size});
+    find_sources(cell, box, accepted, found);
+    if (cell != outside) field.add_local(far.view_local(cell), tree_.frame(cell), cell, at);
+    for (const std::uint32_t c : found.series) {
+      field.add_multipole(far.view_multipole(c), tree_.frame(c), at);
+    }
+    found.sources.pack(leaves_.points, leaves_.gamma, box, accepted, found.near);
+    found.sources.sum(field, CoreShares(options_.cores), at);
+    for (std::size_t s = 0; s < Field::count; ++s) {
+      for (std::size_t i = 0; i < some.size(); ++i) results[s][some[i].index] = sums[s][i];
+      expected[b].found += sum_of_squares(std::span(sums[s]).first(some.size()));
+    }
+    Lost lost = lost_far(errors, far, cell, box, found);
+    if (with_cores) lost += found.sources.lost(accepted.reach2, Field::derivative, false);
+    expected[b].lost = static_cast<double>(some.size()) * lost;
+  };
+  tree::share_in_turn(
+      tree::all_of(groups.size()), 4, groups.size() > 4, [] { return Room(); }, sum);
   return total(expected);
 }
 

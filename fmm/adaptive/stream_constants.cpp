@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "fmm/field/field_kernel.hpp"
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -90,10 +90,9 @@ std::vector<double> stream_constants(const Stage& stage, const FarField<Number>&
   std::vector<double> centres(cells.size(), 0.0);
   for (int level = 0; level < stage.tree.depth(); ++level) {
     const tree::Range range = stage.tree.level(level);
-#pragma omp parallel for schedule(dynamic, 64) if (range.size() > tree::series_worth_sharing)
-    for (std::uint32_t c = range.first; c < range.last; ++c) {
+    tree::share_in_turn(range, 64, range.size() > tree::series_worth_sharing, [&](std::uint32_t c) {
       if (!cells[c].childless()) add_family(stage, far, c, centres);
-    }
+    });
   }
   return centres;
 }

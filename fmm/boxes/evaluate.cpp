@@ -8,6 +8,7 @@
 #include "fmm/boxes/far.hpp"
 #include "fmm/near/near.hpp"
 #include "fmm/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -97,15 +98,12 @@ Expected evaluate_with(const ArrangedSources& sources, const Arrangement& target
                        std::span<double> v) {
   const std::vector<BlockOfLeaves> blocks = gather_blocks(targets.tree);
   std::vector<Expected> expected(blocks.size());
-#pragma omp parallel
-  {
-    Scratch scratch;
-#pragma omp for schedule(dynamic)
-    for (std::size_t k = 0; k < blocks.size(); ++k) {
-      expected[k] =
-          evaluate_block<Pair>(sources, targets, blocks[k], acceptance, coarse, scratch, u, v);
-    }
-  }
+  tree::share_in_turn(
+      tree::all_of(blocks.size()), 1, blocks.size() > 1, [] { return Scratch(); },
+      [&](std::uint32_t k, Scratch& scratch) {
+        expected[k] =
+            evaluate_block<Pair>(sources, targets, blocks[k], acceptance, coarse, scratch, u, v);
+      });
   return total(expected);
 }
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "fmm/tuning.hpp"
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 #include "tree/build/build_forward.hpp"
 #include "tree/build/build_reverse.hpp"
 
@@ -15,11 +15,10 @@ template <class Scale>
 Reals gather(std::span<const std::uint32_t> order, std::span<const double> from, Scale scaled) {
   const std::size_t n = order.size();
   Reals to(n);
-#pragma omp parallel for schedule(static) if (n > tree::records_worth_sharing)
-  for (std::size_t j = 0; j < n; ++j) {
+  tree::share_evenly(tree::all_of(n), n > tree::records_worth_sharing, [&](std::uint32_t j) {
     if (j + gathered_ahead < n) __builtin_prefetch(&from[order[j + gathered_ahead]]);
     to[j] = scaled(from[order[j]]);
-  }
+  });
   return to;
 }
 

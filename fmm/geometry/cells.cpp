@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -43,14 +43,13 @@ CellShapes::CellShapes(const tree::Quadtree& tree, const SortedPoints& points) {
   std::vector<BoundingBox> boxes(tree.cells().size());
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range cells = tree.level(level);
-#pragma omp parallel for schedule(static) if (cells.size() > tree::cells_worth_sharing)
-    for (std::uint32_t c = cells.first; c < cells.last; ++c) {
+    tree::share_evenly(cells, cells.size() > tree::cells_worth_sharing, [&](std::uint32_t c) {
       const tree::Cell& cell = tree.cells()[c];
       const CellShape shape = cell.childless() ? around(points, cell.points)
                                                : around_children(boxes, core, cell.children);
       boxes[c] = shape.box;
       set(c, shape.box, shape.core);
-    }
+    });
   }
 }
 

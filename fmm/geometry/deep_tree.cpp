@@ -7,7 +7,6 @@
 
 #include "fmm/tuning.hpp"
 #include "tree/base/parallel.hpp"
-#include "tree/base/tuning.hpp"
 #include "tree/order/encode_kernel.hpp"
 #include "tree/order/radix_sort.hpp"
 #include "tree/order/run_sort.hpp"
@@ -89,16 +88,16 @@ double DeepTree::side(int level) const {
 void DeepTree::take(const tree::Quadtree& base) {
   const auto cells = base.cells();
   cells_.resize(cells.size());
-#pragma omp parallel for schedule(static) if (cells.size() > tree::cells_worth_sharing)
-  for (std::size_t c = 0; c < cells.size(); ++c) {
+  const bool shared = cells.size() > tree::cells_worth_sharing;
+  tree::share_evenly(tree::all_of(cells.size()), shared, [&](std::uint32_t c) {
     const tree::Cell& from = cells[c];
     cells_[c] = {from.level, static_cast<int>(from.key & 3), from.parent, from.children,
                  from.points};
-  }
+  });
   const auto order = base.order();
   order_.resize(order.size());
-#pragma omp parallel for schedule(static) if (order.size() > tree::worth_sharing)
-  for (std::size_t j = 0; j < order.size(); ++j) order_[j] = order[j];
+  tree::share_evenly(tree::all_of(order.size()), order.size() > tree::worth_sharing,
+                     [&](std::uint32_t j) { order_[j] = order[j]; });
   childless_.assign(base.childless().begin(), base.childless().end());
   for (int level = 0; level <= base.depth(); ++level) {
     level_first_.push_back(base.level(level).last);
@@ -116,10 +115,9 @@ void DeepTree::set_frames(int from, const tree::Domain& domain, const Units& uni
   }
   for (int l = std::max(from, 1); l <= depth(); ++l) {
     const tree::Range range = level(l);
-#pragma omp parallel for schedule(static) if (range.size() > tree::cells_worth_sharing)
-    for (std::uint32_t c = range.first; c < range.last; ++c) {
+    tree::share_evenly(range, range.size() > tree::cells_worth_sharing, [&](std::uint32_t c) {
       frames_[c] = child_frame(frames_[cells_[c].parent], cells_[c].quadrant);
-    }
+    });
   }
 }
 
@@ -149,18 +147,16 @@ Unwritten<tree::MortonKey> DeepTree::sort(const Grafts& grafts, std::span<const 
   for (std::size_t g = 0; g < grafts.cells.size(); ++g) {
     if (grafts.large(g)) tree::radix_sort(keys_of(g), order_of(g));
   }
-#pragma omp parallel if (grafts.points() > tree::deep_points_worth_sharing)
-  {
-    tree::RunSort sort_run;
-#pragma omp for schedule(dynamic, 16)
-    for (std::size_t g = 0; g < grafts.cells.size(); ++g) {
-      if (grafts.runs[g].size() <= tree::RunSort::most_whole) {
-        sort_run.whole(keys_of(g), order_of(g));
-      } else if (!grafts.large(g)) {
-        tree::radix_sort(keys_of(g), order_of(g));
-      }
-    }
-  }
+  tree::share_in_turn(
+      tree::all_of(grafts.cells.size()), 16, grafts.points() > tree::deep_points_worth_sharing,
+      [] { return tree::RunSort(); },
+      [&](std::uint32_t g, tree::RunSort& sort_run) {
+        if (grafts.runs[g].size() <= tree::RunSort::most_whole) {
+          sort_run.whole(keys_of(g), order_of(g));
+        } else if (!grafts.large(g)) {
+          tree::radix_sort(keys_of(g), order_of(g));
+        }
+      });
   return keys;
 }
 
@@ -169,9 +165,9 @@ Unwritten<tree::MortonKey> DeepTree::encode(const Grafts& grafts,
                                             std::span<const Vortex> vortices) const {
   const std::uint32_t n = grafts.points();
   Unwritten<tree::MortonKey> keys(n);
-#pragma omp parallel for schedule(static) if (n > tree::deep_points_worth_sharing)
-  for (std::uint32_t begin = 0; begin < n; begin += encoded_deep) {
-    const std::uint32_t end = std::min(n, begin + encoded_deep);
+  const std::uint32_t parts = (n + encoded_deep - 1) / encoded_deep;
+  tree::share_evenly({0, parts}, n > tree::deep_points_worth_sharing, [&](std::uint32_t part) {
+    const std::uint32_t begin = part * encoded_deep, end = std::min(n, begin + encoded_deep);
     std::size_t g = grafts.holder(begin);
     for (std::uint32_t first = begin; first < end; ++g) {
       const std::uint32_t last = std::min(end, grafts.runs[g].last);
@@ -181,7 +177,7 @@ Unwritten<tree::MortonKey> DeepTree::encode(const Grafts& grafts,
                 &keys[first]);
       first = last;
     }
-  }
+  });
   return keys;
 }
 
@@ -195,8 +191,8 @@ void DeepTree::append(const Grafts& grafts, const tree::Assembly& forest) {
     const tree::Range children = forest.cells[g].children;
     cells_[grafts.cells[g]].children = {moved(children.first), moved(children.last)};
   }
-#pragma omp parallel for schedule(static) if (forest.cells.size() > tree::cells_worth_sharing)
-  for (std::uint32_t c = roots; c < forest.cells.size(); ++c) {
+  const tree::Range grown{roots, static_cast<std::uint32_t>(forest.cells.size())};
+  tree::share_evenly(grown, grown.last > tree::cells_worth_sharing, [&](std::uint32_t c) {
     const tree::Cell& from = forest.cells[c];
     const std::size_t g = grafts.holder(from.points.first);
     const std::uint32_t shift = cells_[grafts.cells[g]].points.first - grafts.runs[g].first;
@@ -208,7 +204,7 @@ void DeepTree::append(const Grafts& grafts, const tree::Assembly& forest) {
                             ? tree::Range{}
                             : tree::Range{moved(from.children.first), moved(from.children.last)},
                         {from.points.first + shift, from.points.last + shift}};
-  }
+  });
   for (std::size_t l = 2; l < forest.level_first.size(); ++l) {
     level_first_.push_back(moved(forest.level_first[l]));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fmm/tuning.hpp"
+#include "tree/base/parallel.hpp"
 #include "tree/base/simd.hpp"
 
 namespace vortree::fmm {
@@ -15,8 +16,7 @@ Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool core
   const auto cells = tree.cells();
   const auto childless = tree.childless();
   const auto order = tree.order();
-#pragma omp parallel for schedule(static)
-  for (std::size_t leaf = 0; leaf < childless.size(); ++leaf) {
+  const auto fill = [&](std::uint32_t leaf) {
     const tree::Range run = cells[childless[leaf]].points;
     std::uint32_t to = start[leaf];
     for (std::uint32_t j = run.first; j < run.last; ++j, ++to) {
@@ -29,7 +29,9 @@ Leaves::Leaves(const DeepTree& tree, std::span<const Vortex> vortices, bool core
       x[to] = x[to - 1], y[to] = y[to - 1], gamma[to] = 0.0;
       if (cored) core[to] = core[to - 1];
     }
-  }
+  };
+  tree::share_evenly(tree::all_of(childless.size()), order.size() > tree::records_worth_sharing,
+                     fill);
 }
 
 void Leaves::number(const DeepTree& tree, std::size_t whole) {

@@ -2,19 +2,19 @@
 
 #include <cstddef>
 
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 
 Unwritten<Vortex> side_by_side(const Sources& sources, const Units& units) {
   const std::size_t n = sources.size();
   Unwritten<Vortex> vortices(n);
-#pragma omp parallel for schedule(static) if (n > tree::records_worth_sharing)
-  for (std::size_t i = 0; i < n; ++i) {
+  const auto put = [&](std::uint32_t i) {
     vortices[i] = {units.position(sources.x[i]), units.position(sources.y[i]),
                    units.circulation(sources.gamma[i]),
                    sources.sigma.empty() ? 0.0 : units.squared_core(sources.sigma[i])};
-  }
+  };
+  tree::share_evenly(tree::all_of(n), n > tree::records_worth_sharing, put);
   return vortices;
 }
 

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "fmm/tuning.hpp"
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -30,7 +30,7 @@ constexpr auto places = make_places();
 }  // namespace
 
 CellRows::CellRows(std::size_t rows, std::span<const std::span<const Entry>> parts)
-    : first_(rows + 2) {
+    : first_(rows + 2, 0u) {
   // counted two rows ahead, summed, and moved on as the cells go in: in the end one row ahead
   for (const auto part : parts) {
     for (const Entry entry : part) ++first_[entry.row + 2];
@@ -45,7 +45,7 @@ CellRows::CellRows(std::size_t rows, std::span<const std::span<const Entry>> par
 
 /// Entries of the rows, as some cells find them.
 struct InteractionLists::Found {
-  std::vector<CellRows::Entry> x, w, x_met, finer, refused;
+  Unwritten<CellRows::Entry> x, w, x_met, finer, refused;
 };
 
 InteractionLists::InteractionLists(const DeepTree& tree, std::uint32_t few, const Hidden& hidden) {
@@ -63,27 +63,25 @@ void InteractionLists::find_kin(const DeepTree& tree) {
   leaves_.resize(count);
   level_.resize(count);
   marks_.resize(count);
-#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
-  for (std::uint32_t c = 0; c < count; ++c) {
+  const bool shared = count > tree::cells_worth_sharing;
+  tree::share_evenly({0, count}, shared, [&](std::uint32_t c) {
     level_[c] = static_cast<std::uint8_t>(cells[c].level);
     marks_[c] = static_cast<std::uint16_t>(cells[c].childless() << childless_bit);
     children_[c].fill(nobody);
     for (std::uint32_t k = cells[c].children.first; k < cells[c].children.last; ++k) {
       children_[c][cells[k].quadrant] = static_cast<std::int32_t>(k);
     }
-  }
-#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
-  for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
+  });
+  tree::share_evenly(tree::all_of(childless.size()), shared, [&](std::uint32_t leaf) {
     leaves_[childless[leaf]] = {leaf, leaf + 1};
-  }
+  });
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range range = tree.level(level);
-#pragma omp parallel for schedule(static) if (range.size() > tree::cells_worth_sharing)
-    for (std::uint32_t c = range.first; c < range.last; ++c) {
+    tree::share_evenly(range, range.size() > tree::cells_worth_sharing, [&](std::uint32_t c) {
       const tree::Range children = cells[c].children;
-      if (children.empty()) continue;
+      if (children.empty()) return;
       leaves_[c] = {leaves_[children.first].first, leaves_[children.last - 1].last};
-    }
+    });
   }
 }
 
@@ -95,8 +93,7 @@ void InteractionLists::find_neighbors(const DeepTree& tree, const Hidden& hidden
   for (int level = 0; level <= tree.depth(); ++level) {
     const tree::Range range = tree.level(level);
     const double gap = tree.side(level + 1);
-#pragma omp parallel for schedule(static) if (range.size() > tree::cells_worth_sharing)
-    for (std::uint32_t c = range.first; c < range.last; ++c) {
+    tree::share_evenly(range, range.size() > tree::cells_worth_sharing, [&](std::uint32_t c) {
       if (level > 0) find_neighbors_of(tree, c);
       unsigned marks = marks_[c];
       for (int k = 0; k < 9; ++k) {
@@ -110,7 +107,7 @@ void InteractionLists::find_neighbors(const DeepTree& tree, const Hidden& hidden
         }
       }
       marks_[c] = static_cast<std::uint16_t>(marks);
-    }
+    });
   }
 }
 
@@ -131,7 +128,6 @@ void InteractionLists::find_meetings(const DeepTree& tree, std::uint32_t few,
                                      const Hidden& hidden) {
   const auto cells = tree.cells();
   const auto count = static_cast<std::uint32_t>(cells.size());
-#pragma omp parallel for schedule(static) if (count > tree::cells_worth_sharing)
   for (const std::uint32_t b : tree.childless()) {
     if (cells[b].points.size() < few) {
       marks_[b] = static_cast<std::uint16_t>(marks_[b] | 1u << sparse_bit);
@@ -139,15 +135,14 @@ void InteractionLists::find_meetings(const DeepTree& tree, std::uint32_t few,
   }
   const std::uint32_t portions = (count + cells_a_portion - 1) / cells_a_portion;
   std::vector<Found> some(portions);
-#pragma omp parallel for schedule(dynamic) if (portions > portions_for_one)
-  for (std::uint32_t p = 0; p < portions; ++p) {
+  tree::share_in_turn({0, portions}, 1, portions > portions_for_one, [&](std::uint32_t p) {
     const std::uint32_t end = std::min(count, (p + 1) * cells_a_portion);
     for (std::uint32_t c = p * cells_a_portion; c < end; ++c) look(tree, c, hidden, some[p]);
-  }
+  });
   const std::size_t leaves = tree.childless().size();
   struct Making {
     CellRows& rows;
-    std::vector<CellRows::Entry> Found::*entries;
+    Unwritten<CellRows::Entry> Found::*entries;
     std::size_t count;
   };
   const Making makings[] = {{x_, &Found::x, count},
@@ -155,12 +150,13 @@ void InteractionLists::find_meetings(const DeepTree& tree, std::uint32_t few,
                             {x_met_, &Found::x_met, count},
                             {finer_, &Found::finer, leaves},
                             {refused_, &Found::refused, count}};
-#pragma omp parallel for schedule(dynamic, 1) if (portions > portions_for_one)
-  for (const Making& making : makings) {
+  const auto make = [&](std::uint32_t m) {
+    const Making& making = makings[m];
     std::vector<std::span<const CellRows::Entry>> parts;
     for (const Found& found : some) parts.emplace_back(found.*making.entries);
     making.rows = CellRows(making.count, parts);
-  }
+  };
+  tree::share_in_turn(tree::all_of(std::size(makings)), 1, portions > portions_for_one, make);
 }
 
 /// What c meets of its X, of coarser neighbors, and of families that refuse its own.

@@ -35,7 +35,7 @@ class CellRows {
   }
 
  private:
-  std::vector<std::uint32_t> first_{0}, cells_;
+  Unwritten<std::uint32_t> first_{0}, cells_;
 };
 
 /// Who meets whom, and how: the lists of Carrier, Greengard & Rokhlin. With c, b cells of the same

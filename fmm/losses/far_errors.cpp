@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "fmm/losses/near_errors.hpp"
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -20,15 +20,15 @@ Charge operator+(const Charge& a, const Charge& b) {
 }
 
 template <class Number>
-std::vector<Charge> sum_families(const Stage& stage, const FarField<Number>& far) {
+Unwritten<Charge> sum_families(const Stage& stage, const FarField<Number>& far) {
   const auto cells = stage.tree.cells();
-  std::vector<Charge> families(cells.size());
-#pragma omp parallel for schedule(static) if (cells.size() > tree::cells_worth_sharing)
-  for (std::size_t c = 0; c < cells.size(); ++c) {
+  Unwritten<Charge> families(cells.size());
+  const bool shared = cells.size() > tree::cells_worth_sharing;
+  tree::share_evenly(tree::all_of(cells.size()), shared, [&](std::uint32_t c) {
     for (std::uint32_t k = cells[c].children.first; k < cells[c].children.last; ++k) {
       families[c] = families[c] + far.charges()[k];
     }
-  }
+  });
   return families;
 }
 
@@ -43,13 +43,12 @@ FarErrors::FarErrors(const Stage& stage, const FarField<Number>& far, const Latt
       terms_(order.most) {
   const auto cells = stage.tree.cells();
   const InteractionLists& lists = stage.lists;
-  const std::vector<Charge> families = sum_families(stage, far);
+  const Unwritten<Charge> families = sum_families(stage, far);
   errors_.resize(cells.size());
   for (int level = 0; level < stage.tree.depth(); ++level) {
     const tree::Range range = stage.tree.level(level);
-#pragma omp parallel for schedule(dynamic, 64) if (range.size() > tree::series_worth_sharing)
-    for (std::uint32_t c = range.first; c < range.last; ++c) {
-      if (cells[c].childless()) continue;
+    tree::share_in_turn(range, 64, range.size() > tree::series_worth_sharing, [&](std::uint32_t c) {
+      if (cells[c].childless()) return;
       Charge met;
       for (int k = 0; k < 9; ++k) {
         if (k != InteractionLists::middle && lists.open(c, k)) {
@@ -65,7 +64,7 @@ FarErrors::FarErrors(const Stage& stage, const FarField<Number>& far, const Latt
           errors_[k] += of_multipole(far.charges()[b], side, side_away2 * side * side);
         }
       }
-    }
+    });
   }
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "fmm/adaptive/far_field.hpp"
 #include "fmm/losses/expected.hpp"
 #include "fmm/series/lattice_order.hpp"
+#include "tree/base/memory.hpp"
 
 namespace vortree::fmm {
 
@@ -39,7 +39,7 @@ class FarErrors {
 
   double series_ = 0.0, rounding_ = 0.0;  // of a charge of 1 in a cell of side 1
   int derivative_ = 0, terms_ = 0;
-  std::vector<Lost> errors_;
+  Unwritten<Lost> errors_;
 };
 
 }  // namespace vortree::fmm

@@ -5,7 +5,8 @@
 namespace vortree::fmm {
 namespace {
 
-constexpr std::uint32_t line = 8;  // numbers in a line of the cache
+constexpr std::uint32_t line = 8;        // numbers in a line of the cache
+constexpr std::size_t some_blocks = 64;  // that a cell meets: room to begin with
 
 void prefetch(const MutualPoints& points, std::uint32_t place) {
   for (const double* column : {points.x, points.y, points.gamma}) {
@@ -26,6 +27,17 @@ void add_scaled(double* to, Singles sums, double scale) {
 }
 
 }  // namespace
+
+MutualNear::MutualNear(const DeepTree& tree, const InteractionLists& lists, const Leaves& leaves,
+                       bool coarse)
+    : tree_(tree), lists_(lists), leaves_(leaves), coarse_(coarse) {
+  if (leaves.cored()) return;
+  for (Meeting& meeting : meetings_) {
+    for (Blocks* blocks : {&meeting.exact, &meeting.fixed}) {
+      blocks->inside.reserve(some_blocks), blocks->outside.reserve(some_blocks);
+    }
+  }
+}
 
 void MutualNear::add(tree::Range leaf_run, double* u, double* v) {
   const MutualPoints points{leaves_.points.x.data(), leaves_.points.y.data(), leaves_.gamma.data(),

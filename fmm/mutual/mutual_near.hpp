@@ -18,8 +18,8 @@ class MutualNear {
  public:
   /// coarse   single precision will do: used wherever places fit (mutual_fixed_kernel.hpp); the
   ///          leaves come in vectors of floats
-  MutualNear(const DeepTree& tree, const InteractionLists& lists, const Leaves& leaves, bool coarse)
-      : tree_(tree), lists_(lists), leaves_(leaves), coarse_(coarse) {}
+  MutualNear(const DeepTree& tree, const InteractionLists& lists, const Leaves& leaves,
+             bool coarse);
 
   /// Adds to u and v (times 2 pi, in the places of leaves) all pairs of U with a target in the
   /// run of leaves.

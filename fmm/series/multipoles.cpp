@@ -5,7 +5,7 @@
 
 #include "fmm/losses/expected.hpp"
 #include "fmm/series/multipole_kernel.hpp"
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::fmm {
 namespace {
@@ -36,15 +36,14 @@ Multipoles::Multipoles(const tree::Quadtree& tree, const CellShapes& shapes,
   const auto cells = tree.cells();
   for (int level = tree.depth(); level >= 0; --level) {
     const tree::Range range = tree.level(level);
-#pragma omp parallel for schedule(dynamic, 64) if (range.size() > tree::series_worth_sharing)
-    for (std::uint32_t c = range.first; c < range.last; ++c) {
+    tree::share_in_turn(range, 64, range.size() > tree::series_worth_sharing, [&](std::uint32_t c) {
       double* terms = terms_.data() + 2 * std::size_t{c} * static_cast<std::size_t>(order);
       std::fill_n(terms, 2 * order, 0.0);
       if (cells[c].childless()) add_points(shapes, points, gamma, cells[c].points, c);
       if (!cells[c].childless()) add_children(shapes, cells[c].children, c);
       set_charge(cells, gamma, c, weights);
       if (single) std::copy_n(terms, 2 * order, singles_.data() + (terms - terms_.data()));
-    }
+    });
   }
 }
 

@@ -32,6 +32,8 @@ TranslationTables<Number>::TranslationTables(int most, const std::array<int, orb
   for (int o = 0; o < orbit_count; ++o) {
     const std::complex inverse = 1.0 / std::complex<double>(orbits[o].x, orbits[o].y);
     orbit[o].terms = terms[o];
+    for (auto* powers : {&orbit[o].in, &orbit[o].out})
+      powers->reserve(static_cast<std::size_t>(terms[o]));
     std::complex<double> in = inverse, out = 1.0;
     for (int k = 0; k < terms[o]; ++k, in *= inverse, out *= -inverse) {
       orbit[o].in.push_back(narrow<Number>(in));
@@ -40,6 +42,8 @@ TranslationTables<Number>::TranslationTables(int most, const std::array<int, orb
   }
   for (int q = 0; q < 4; ++q) {
     const std::complex<double> d((q % 2 - 0.5) / 2, (q / 2 - 0.5) / 2);
+    for (auto* powers : {&child[q].up, &child[q].down})
+      powers->reserve(static_cast<std::size_t>(most));
     std::complex<double> up = 1.0, down = 1.0;
     for (int k = 0; k < most; ++k, up *= d, down /= 2.0 * d) {
       child[q].up.push_back(narrow<Number>(up));

@@ -37,8 +37,6 @@ inline constexpr std::size_t cells_a_piece = 16;
 
 // Sorting by Morton codes. tree/README.md has the time of the whole.
 
-/// Points that a thread encodes at a time: fewer begin more often, more share less evenly.
-inline constexpr std::size_t encoded_at_once = 4096;
 /// Bits of the first parting into buckets. More buckets than lines of the nearest cache make
 /// writing to them slow, fewer leave larger ones to sort.
 inline constexpr int first_digit_bits = 10;

@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "tree/base/parallel.hpp"
+
 namespace vortree::tree {
 
 namespace {
@@ -80,8 +82,7 @@ struct Numbers {
 Numbers number(const LeavesByPiece& leaves) {
   Numbers numbers;
   numbers.first.resize(leaves.size());
-#pragma omp parallel for schedule(static) if (leaves.size() > 1)
-  for (std::size_t p = 0; p < leaves.size(); ++p) numbers.first[p] = begun(leaves[p]);
+  for_each_piece(leaves.size(), [&](std::size_t p) { numbers.first[p] = begun(leaves[p]); });
   std::uint64_t next = 0;
   for (int level = 0; level <= max_level; ++level) {
     const std::uint64_t first = next;
@@ -120,8 +121,7 @@ Assembly assemble(std::span<const MortonKey> keys, const LeavesByPiece& leaves) 
     deepest[p + 1] = leaves[p].empty() ? deepest[p] : leaves[p].back().level;
   }
   grown.childless.resize(rank.back());
-#pragma omp parallel for schedule(static) if (leaves.size() > 1)
-  for (std::size_t p = 0; p < leaves.size(); ++p) {
+  for_each_piece(leaves.size(), [&](std::size_t p) {
     Walk walk(keys, grown.cells, numbers.first[p], deepest[p]);
     for (std::size_t i = 0; i < leaves[p].size(); ++i) {
       const Leaf& leaf = leaves[p][i];
@@ -129,7 +129,7 @@ Assembly assemble(std::span<const MortonKey> keys, const LeavesByPiece& leaves) 
       grown.childless[rank[p] + i] = walk.open(leaf);
     }
     if (p + 1 == leaves.size()) walk.close(0, static_cast<std::uint32_t>(keys.size()));
-  }
+  });
   return grown;
 }
 

@@ -1,6 +1,6 @@
 #include "tree/build/colleagues.hpp"
 
-#include "tree/base/tuning.hpp"
+#include "tree/base/parallel.hpp"
 
 namespace vortree::tree {
 
@@ -59,10 +59,8 @@ void find_colleagues(const Quadtree& tree, std::vector<Colleagues>& colleagues) 
   start(cells.size(), colleagues);
   for (int level = 0; level < tree.depth(); ++level) {
     const Range parents = tree.level(level);
-#pragma omp parallel for schedule(static) if (parents.size() > cells_worth_sharing)
-    for (std::uint32_t parent = parents.first; parent < parents.last; ++parent) {
-      give_to_children(cells, parent, colleagues);
-    }
+    share_evenly(parents, parents.size() > cells_worth_sharing,
+                 [&](std::uint32_t parent) { give_to_children(cells, parent, colleagues); });
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -21,21 +22,25 @@ namespace vortree::tree {
 
 namespace {
 
-MortonKey differing_bits(std::span<const MortonKey> keys) {
-  MortonKey differing = 0;
-  const MortonKey first = keys[0];
-#pragma omp parallel for schedule(static) reduction(| : differing) if (keys.size() > worth_sharing)
-  for (std::size_t i = 0; i < keys.size(); ++i) differing |= keys[i] ^ first;
-  return differing;
+MortonKey key_of(MortonKey key) {
+  return key;
+}
+MortonKey key_of(const Record& record) {
+  return record.key;
 }
 
-MortonKey differing_bits(std::span<const Record> records) {
-  MortonKey differing = 0;
-#pragma omp parallel for schedule(static) \
-    reduction(|                           \
-              : differing) if (records.size() > worth_sharing)
-  for (std::size_t i = 0; i < records.size(); ++i) differing |= records[i].key ^ records[0].key;
-  return differing;
+template <class Keyed>
+MortonKey differing_bits(std::span<const Keyed> all) {
+  const std::size_t pieces = pieces_of(all.size());
+  const MortonKey first = key_of(all[0]);
+  std::array<MortonKey, shared_pieces> found{};
+  for_each_piece(pieces, [&](std::size_t p) {
+    const Range own = piece(all.size(), p, pieces);
+    MortonKey differing = 0;
+    for (const Keyed& one : all.subspan(own.first, own.size())) differing |= key_of(one) ^ first;
+    found[p] = differing;
+  });
+  return std::accumulate(found.begin(), found.end(), MortonKey{0}, std::bit_or());
 }
 
 // At most so many bits, from the highest one that differs.
@@ -97,12 +102,11 @@ template <class Digits, class KeyOf, class Move>
 std::vector<std::uint32_t> part(std::size_t n, std::size_t some, const Digits& digit,
                                 const KeyOf& key_of, const Move& move) {
   std::vector<std::uint32_t> places(some * digit.count(), 0);
-#pragma omp parallel for schedule(static) if (some > 1)
-  for (std::size_t p = 0; p < some; ++p) {
+  for_each_piece(some, [&](std::size_t p) {
     std::uint32_t* counts = &places[p * digit.count()];
     const Range own = piece(n, p, some);
     for (std::size_t i = own.first; i < own.last; ++i) ++counts[digit(key_of(i))];
-  }
+  });
   std::vector<std::uint32_t> ends(digit.count());
   std::uint32_t next = 0;
   for (std::size_t d = 0; d < digit.count(); ++d) {
@@ -111,12 +115,11 @@ std::vector<std::uint32_t> part(std::size_t n, std::size_t some, const Digits& d
     }
     ends[d] = next;
   }
-#pragma omp parallel for schedule(static) if (some > 1)
-  for (std::size_t p = 0; p < some; ++p) {
+  for_each_piece(some, [&](std::size_t p) {
     std::uint32_t* place = &places[p * digit.count()];
     const Range own = piece(n, p, some);
     for (std::size_t i = own.first; i < own.last; ++i) move(i, place[digit(key_of(i))]++);
-  }
+  });
   return ends;
 }
 
@@ -142,12 +145,9 @@ class Sorter {
         });
     collect(0, ends);
     const MortonKey left = differing & ((MortonKey{1} << digit.low) - 1);
-#pragma omp parallel if (n > worth_sharing)
-    {
-      RunSort sort_run;
-#pragma omp for schedule(dynamic, 4)
-      for (std::size_t b = 0; b < buckets_.size(); ++b) sort(buckets_[b], left, sort_run);
-    }
+    share_in_turn(
+        all_of(buckets_.size()), 4, n > worth_sharing, [] { return RunSort(); },
+        [&](std::uint32_t b, RunSort& sort_run) { sort(buckets_[b], left, sort_run); });
   }
 
  private:
@@ -168,8 +168,7 @@ class Sorter {
           keys_[first + to] = records_[first + i].key;
           index_[first + to] = records_[first + i].index;
         });
-#pragma omp parallel for schedule(static) if (some > 1)
-    for (std::size_t i = first; i < bucket.last; ++i) records_[i] = {keys_[i], index_[i]};
+    share_evenly(bucket, some > 1, [&](std::uint32_t i) { records_[i] = {keys_[i], index_[i]}; });
     return ends;
   }
 
@@ -225,7 +224,7 @@ class Sorter {
 
 Unwritten<std::uint32_t> radix_sort(std::span<MortonKey> keys) {
   Unwritten<std::uint32_t> index(keys.size());
-  const MortonKey differing = keys.empty() ? 0 : differing_bits(keys);
+  const MortonKey differing = keys.empty() ? 0 : differing_bits(std::span<const MortonKey>(keys));
   if (differing == 0) {
     std::iota(index.begin(), index.end(), 0u);
   } else {
@@ -239,7 +238,7 @@ void radix_sort(std::span<MortonKey> keys, std::span<std::uint32_t> index) {
     throw std::invalid_argument("radix_sort: " + std::to_string(keys.size()) + " keys but " +
                                 std::to_string(index.size()) + " indices");
   }
-  const MortonKey differing = keys.empty() ? 0 : differing_bits(keys);
+  const MortonKey differing = keys.empty() ? 0 : differing_bits(std::span<const MortonKey>(keys));
   if (differing == 0) return;
   Sorter(keys, index).run(differing, [&](std::size_t i) { return index[i]; });
 }

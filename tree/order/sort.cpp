@@ -1,6 +1,7 @@
 #include "tree/order/sort.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -49,13 +50,14 @@ Unwritten<MortonKey> encode_points(Points points, const Domain& domain, int fine
   const MortonKey mask = ~MortonKey{0} << 2 * (max_level - finest);
   const std::size_t n = points.size();
   Unwritten<MortonKey> keys(n);
-  std::size_t strays = 0;
-#pragma omp parallel for schedule(static) reduction(+ : strays) if (n > worth_sharing)
-  for (std::size_t first = 0; first < n; first += encoded_at_once) {
-    strays += kernel::codes(&points.x[first], &points.y[first],
-                            std::min(encoded_at_once, n - first), x, y, mask, &keys[first]);
-  }
-  if (strays != 0) {
+  const std::size_t pieces = pieces_of(n);
+  std::array<std::size_t, shared_pieces> strays{};
+  for_each_piece(pieces, [&](std::size_t p) {
+    const Range own = piece(n, p, pieces);
+    strays[p] = kernel::codes(points.x.data() + own.first, points.y.data() + own.first, own.size(),
+                              x, y, mask, keys.data() + own.first);
+  });
+  if (std::ranges::any_of(strays, [](std::size_t some) { return some != 0; })) {
     std::size_t i = 0;
     while (x.holds(points.x[i]) && y.holds(points.y[i])) ++i;
     refuse_point(points, domain, i);
