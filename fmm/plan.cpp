@@ -7,6 +7,7 @@
 
 #include "fmm/adaptive/adaptive.hpp"
 #include "fmm/boxes/boxes.hpp"
+#include "fmm/geometry/bounds.hpp"
 #include "fmm/pairs/pair_sums.hpp"
 #include "fmm/series/multipole_kernel.hpp"
 #include "tree/base/told.hpp"
@@ -53,16 +54,16 @@ void refuse_unfit(const std::string& complaint) {
 }
 
 /// method   what was asked for; overwritten by what is taken
-std::unique_ptr<const Evaluator> make_sums(const Sources& sources, const Units& units,
+std::unique_ptr<const Evaluator> make_sums(const Sources& sources, const SourceBounds& bounds,
                                            const Options& options, const tree::Phase& phase,
                                            SumMethod& method) {
   if (method == SumMethod::direct) return std::make_unique<PairSums>(sources, options, phase);
   if (method == SumMethod::fmm) {
-    auto full = std::make_unique<Adaptive>(sources, units, options, phase);
+    auto full = std::make_unique<Adaptive>(sources, bounds, options, phase);
     if (full->serves()) return full;
     method = SumMethod::boxes;
   }
-  return std::make_unique<Boxes>(sources, units, options, phase);
+  return std::make_unique<Boxes>(sources, Units::of(bounds), options, phase);
 }
 
 }  // namespace
@@ -70,10 +71,11 @@ std::unique_ptr<const Evaluator> make_sums(const Sources& sources, const Units& 
 Plan::Plan(const Sources& sources, const Options& options, const tree::Phase& phase)
     : size_(sources.size()), options_(options), phase_(phase), method_(options.method) {
   check(options);
-  units_ = check(sources);
-  cores_unfit_ = {complain_of_cores(sources.sigma, units_, false),
-                  complain_of_cores(sources.sigma, units_, true)};
-  sums_ = make_sums(sources, units_, options, phase, method_);
+  const SourceBounds bounds = SourceBounds::of(sources);
+  units_ = check(sources, bounds);
+  cores_unfit_ = {complain_of_cores(sources.sigma, bounds.sigma, units_, false),
+                  complain_of_cores(sources.sigma, bounds.sigma, units_, true)};
+  sums_ = make_sums(sources, bounds, options, phase, method_);
 }
 
 /// Sums, and where that cancels so far that the tolerance is not kept, sums again with more terms
@@ -86,9 +88,10 @@ void Plan::settle(Sum sum) const {
     const double finer = finer_tolerance(options, options_.tolerance, expected);
     if (!(finer < options.tolerance)) break;
     options.tolerance = finer;
-    const SourceColumns sources = sums_->sources();
+    const SourceColumns columns = sums_->sources();
+    const Sources sources = columns.view();
     SumMethod method = options_.method;
-    expected = sum(*make_sums(sources.view(), Units::of(sources.view()), options, phase_, method));
+    expected = sum(*make_sums(sources, SourceBounds::of(sources), options, phase_, method));
   }
 }
 

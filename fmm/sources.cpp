@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "fmm/geometry/bounds.hpp"
 #include "fmm/geometry/units.hpp"
 #include "fmm/losses/closeness.hpp"
 #include "tree/base/told.hpp"
-#include "tree/base/tuning.hpp"
 #include "tree/order/points.hpp"
 
 namespace vortree::fmm {
@@ -33,18 +33,9 @@ std::string complaint(const char* name, std::size_t i, double value, const std::
   throw std::invalid_argument(complaint(name, i, value, wish));
 }
 
-/// None beyond the limit, nor anything but a number; counted, so that the loop runs by lanes.
-bool all_within(std::span<const double> values, double low, double high) {
-  std::size_t outside = 0;
-#pragma omp parallel for simd reduction(+ : outside) if (values.size() > tree::values_worth_sharing)
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    outside += values[i] >= low && values[i] <= high ? 0 : 1;
-  }
-  return outside == 0;
-}
-
-void check_within(const char* name, std::span<const double> values, double most) {
-  if (all_within(values, -most, most)) return;
+void check_within(const char* name, std::span<const double> values, const Bounds& bounds,
+                  double most) {
+  if (bounds.within(-most, most)) return;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) refuse(name, i, values[i], "finite");
     if (std::abs(values[i]) > most) {
@@ -55,10 +46,10 @@ void check_within(const char* name, std::span<const double> values, double most)
 
 constexpr double largest_double = std::numeric_limits<double>::max();
 
-void check_cores(std::span<const double> sigma, std::size_t n) {
+void check_cores(std::span<const double> sigma, const Bounds& bounds, std::size_t n) {
   if (sigma.empty()) return;
   check_length("sigma", sigma.size(), n);
-  if (all_within(sigma, 0.0, largest_double)) return;
+  if (bounds.within(0.0, largest_double)) return;
   for (std::size_t i = 0; i < n; ++i) {
     if (!(std::isfinite(sigma[i]) && sigma[i] >= 0.0)) {
       refuse("sigma", i, sigma[i], "finite and >= 0");
@@ -66,9 +57,10 @@ void check_cores(std::span<const double> sigma, std::size_t n) {
   }
 }
 
-void check_distances(const Sources& sources, const Units& units) {
+void check_distances(const Sources& sources, const SourceBounds& bounds, const Units& units) {
   const double limit = Units::least_length / units.per_length;
-  const auto near = find_close_pair(sources.x, sources.y, limit);
+  const double least = std::min(bounds.x.least_magnitude, bounds.y.least_magnitude);
+  const auto near = find_close_pair(sources.x, sources.y, least, limit);
   if (!near) return;
   throw std::invalid_argument("blobs " + std::to_string(near->first) + " and " +
                               std::to_string(near->second) + " are " + told(near->distance) +
@@ -77,9 +69,9 @@ void check_distances(const Sources& sources, const Units& units) {
 }
 
 /// Cores so wide that they count as less wide must not move what others leave alone.
-void check_wide_cores(const Sources& sources, const Units& units) {
+void check_wide_cores(const Sources& sources, const SourceBounds& bounds, const Units& units) {
   const double widest = std::sqrt(Units::largest_core) / units.per_length;
-  if (all_within(sources.sigma, 0.0, widest)) return;
+  if (bounds.sigma.within(0.0, widest)) return;
   double weak = 0.0, strong = 0.0;
   std::size_t first = sources.size();
   for (std::size_t i = 0; i < sources.sigma.size(); ++i) {
@@ -99,22 +91,32 @@ void check_wide_cores(const Sources& sources, const Units& units) {
 }  // namespace
 
 Units check(const Sources& sources) {
+  return check(sources, SourceBounds::of(sources));
+}
+
+Units check(const Sources& sources, const SourceBounds& bounds) {
   check_length("y", sources.y.size(), sources.size());
   check_length("gamma", sources.gamma.size(), sources.size());
-  check_within("x", sources.x, tree::largest_coordinate);
-  check_within("y", sources.y, tree::largest_coordinate);
-  check_within("gamma", sources.gamma, largest_double);
-  check_cores(sources.sigma, sources.size());
-  const Units units = Units::of(sources);
-  check_distances(sources, units);
-  check_wide_cores(sources, units);
+  check_within("x", sources.x, bounds.x, tree::largest_coordinate);
+  check_within("y", sources.y, bounds.y, tree::largest_coordinate);
+  check_within("gamma", sources.gamma, bounds.gamma, largest_double);
+  check_cores(sources.sigma, bounds.sigma, sources.size());
+  const Units units = Units::of(bounds);
+  check_distances(sources, bounds, units);
+  check_wide_cores(sources, bounds, units);
   return units;
 }
 
 std::string complain_of_cores(std::span<const double> sigma, const Units& units, bool wide) {
+  return complain_of_cores(sigma, bounds_of(sigma), units, wide);
+}
+
+std::string complain_of_cores(std::span<const double> sigma, const Bounds& bounds,
+                              const Units& units, bool wide) {
   const double least = Units::least_length / units.per_length;
   const double widest = wide ? std::sqrt(Units::largest_core) / units.per_length : largest_double;
-  if (all_within(sigma, least, widest)) return {};
+  const bool fit = bounds.all_numbers && bounds.least_magnitude >= least;
+  if (fit && bounds.high <= widest) return {};
   const auto found = std::ranges::find_if(
       sigma, [&](double value) { return value > widest || (value < least && value != 0.0); });
   if (found == sigma.end()) return {};
@@ -125,9 +127,9 @@ std::string complain_of_cores(std::span<const double> sigma, const Units& units,
 
 void check(const Targets& targets) {
   check_length("y", targets.y.size(), targets.size());
-  check_within("x", targets.x, largest_double);
-  check_within("y", targets.y, largest_double);
-  check_cores(targets.sigma, targets.size());
+  check_within("x", targets.x, bounds_of(targets.x), largest_double);
+  check_within("y", targets.y, bounds_of(targets.y), largest_double);
+  check_cores(targets.sigma, bounds_of(targets.sigma), targets.size());
 }
 
 void check_result(std::size_t n, std::span<const double> u, std::span<const double> v) {

@@ -5,6 +5,8 @@
 
 namespace vortree::fmm {
 
+struct Bounds;
+struct SourceBounds;
 struct Units;
 
 /// What is summed: vortex blobs of Gaussian core, read only.
@@ -39,11 +41,14 @@ enum class Cores { source, mean };
 ///         extents that would count
 /// returns the units of the blobs
 Units check(const Sources& sources);
+Units check(const Sources& sources, const SourceBounds& bounds);
 void check(const Targets& targets);
 /// Why gradient and stream function cannot be told of such cores, which they feel each at its own
 /// place: one is not nothing, but less than 6e-67 of the extent, or with `wide` more than 1e60.
 /// Empty if they can.
 std::string complain_of_cores(std::span<const double> sigma, const Units& units, bool wide);
+std::string complain_of_cores(std::span<const double> sigma, const Bounds& bounds,
+                              const Units& units, bool wide);
 /// throws  std::invalid_argument unless u and v hold n values, or those of a name
 void check_result(std::size_t n, std::span<const double> u, std::span<const double> v);
 void check_result(std::size_t n, const char* name, std::span<const double> values);

@@ -44,14 +44,14 @@ void tell(const tree::Phase& phase, const char* name) {
 
 }  // namespace
 
-Adaptive::Adaptive(const Sources& sources, const Units& units, const Options& options,
+Adaptive::Adaptive(const Sources& sources, const SourceBounds& bounds, const Options& options,
                    const tree::Phase& phase)
     : options_(resolve(options, sources)),
       phase_(phase),
-      units_(units),
+      units_(Units::of(bounds)),
       order_(choose_order(options_)) {
   tell(phase_, "tree");
-  grow(sources);
+  grow(sources, bounds);
   leaf_runs_ = LeafRuns(leaves_);
   list();
   if (!serves_) return;
@@ -68,10 +68,12 @@ Adaptive::Adaptive(const Sources& sources, const Units& units, const Options& op
 
 /// The domain is stretched so that evenly spread points fill childless cells to the optimum, or, if
 /// cores reach farther than such a cell, so that cells of a level just hold that reach.
-void Adaptive::grow(const Sources& sources) {
-  tree::Domain domain = tree::enclose({sources.x, sources.y});
-  double widest = 0.0;
-  for (const double sigma : sources.sigma) widest = std::max(widest, sigma);
+void Adaptive::grow(const Sources& sources, const SourceBounds& bounds) {
+  tree::Domain domain;
+  if (sources.size() > 0) {
+    domain = tree::enclose({bounds.x.low, bounds.x.high}, {bounds.y.low, bounds.y.high});
+  }
+  const double widest = bounds.sigma.largest_magnitude();
   const double reach = widest * std::sqrt(core_reach2(options_.tolerance)) * (1 + 1e-9);
   const double even =
       domain.side * std::sqrt(leaf_size(options_) / std::max<double>(1.0, sources.size()));

@@ -6,6 +6,7 @@
 
 #include "fmm/adaptive/far_field.hpp"
 #include "fmm/evaluator.hpp"
+#include "fmm/geometry/bounds.hpp"
 #include "fmm/geometry/deep_tree.hpp"
 #include "fmm/geometry/leaves.hpp"
 #include "fmm/geometry/units.hpp"
@@ -31,7 +32,7 @@ namespace vortree::fmm {
 class Adaptive final : public Evaluator {
  public:
   /// phase   told "tree", "upward", "far", and "near" at each sum
-  Adaptive(const Sources& sources, const Units& units, const Options& options,
+  Adaptive(const Sources& sources, const SourceBounds& bounds, const Options& options,
            const tree::Phase& phase);
 
   /// False if so many cells refuse to meet by series, because of cores, that their points had
@@ -65,7 +66,7 @@ class Adaptive final : public Evaluator {
   struct Groups;
   using Far = std::variant<FarField<double>, FarField<float>>;
 
-  void grow(const Sources& sources);
+  void grow(const Sources& sources, const SourceBounds& bounds);
   void list();
   [[nodiscard]] std::size_t size() const { return tree_.order().size(); }
   [[nodiscard]] double near_pairs() const;

@@ -6,31 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tree/base/tuning.hpp"
+#include "fmm/geometry/bounds.hpp"
 
 namespace vortree::fmm {
 namespace {
-
-double largest(std::span<const double> values) {
-  double most = 0.0;
-#pragma omp parallel for simd reduction(max : most) if (values.size() > tree::values_worth_sharing)
-  for (std::size_t i = 0; i < values.size(); ++i) most = std::max(most, std::abs(values[i]));
-  return most;
-}
-
-double extent(std::span<const double> values) {
-  if (values.empty()) return 0.0;
-  double low = values[0], high = values[0];
-#pragma omp parallel for simd reduction(min    \
-                                        : low) \
-    reduction(max                              \
-              : high) if (values.size() > tree::values_worth_sharing)
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    low = std::min(low, values[i]);
-    high = std::max(high, values[i]);
-  }
-  return high / 2 - low / 2;
-}
 
 /// A power of two near 1/size, kept where it and its reciprocal are normal numbers.
 double reciprocal(double size) {
@@ -39,10 +18,14 @@ double reciprocal(double size) {
 
 }  // namespace
 
+Units Units::of(const SourceBounds& bounds) {
+  const double size = std::max(bounds.x.half_width(), bounds.y.half_width());
+  return {.per_length = reciprocal(size > 0.0 ? size : bounds.sigma.largest_magnitude()),
+          .per_gamma = reciprocal(bounds.gamma.largest_magnitude())};
+}
+
 Units Units::of(const Sources& sources) {
-  const double size = std::max(extent(sources.x), extent(sources.y));
-  return {.per_length = reciprocal(size > 0.0 ? size : largest(sources.sigma)),
-          .per_gamma = reciprocal(largest(sources.gamma))};
+  return of(SourceBounds::of(sources));
 }
 
 void Units::finish_far(double all, std::span<const double> x, std::span<const double> y,

@@ -7,6 +7,8 @@
 
 namespace vortree::fmm {
 
+struct SourceBounds;
+
 /// Powers of two that bring lengths and circulations near one, so that no square or product inside
 /// a sum over- or underflows, whatever the user's units. Scaling by them rounds nothing.
 ///
@@ -16,6 +18,7 @@ struct Units {
   double per_length = 1.0, per_gamma = 1.0;
 
   /// The units in which the extent of the blobs and their largest |gamma| are near one.
+  static Units of(const SourceBounds& bounds);
   static Units of(const Sources& sources);
 
   [[nodiscard]] double position(double x) const {

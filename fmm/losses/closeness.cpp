@@ -6,23 +6,11 @@
 #include <tuple>
 #include <vector>
 
-#include "tree/base/tuning.hpp"
-
 namespace vortree::fmm {
 namespace {
 
 /// From this many limits on, no two coordinates are nearer than the limit.
 constexpr double sparse = 0x1p54;
-
-double least_magnitude(std::span<const double> values) {
-  double least = INFINITY;
-#pragma omp parallel for simd reduction(min : least) if (values.size() > tree::values_worth_sharing)
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double magnitude = std::abs(values[i]);
-    least = std::min(least, magnitude > 0.0 ? magnitude : static_cast<double>(INFINITY));
-  }
-  return least;
-}
 
 /// A point and the square of side `limit` that holds it; a coordinate that has no neighbors is a
 /// square of its own.
@@ -53,9 +41,8 @@ std::vector<Square> sort_places(std::span<const double> x, std::span<const doubl
 }  // namespace
 
 std::optional<ClosePair> find_close_pair(std::span<const double> x, std::span<const double> y,
-                                         double limit) {
-  if (!(limit > 0.0)) return std::nullopt;
-  if (std::min(least_magnitude(x), least_magnitude(y)) >= sparse * limit) return std::nullopt;
+                                         double least_magnitude, double limit) {
+  if (!(limit > 0.0) || least_magnitude >= sparse * limit) return std::nullopt;
   const std::vector<Square> squares = sort_places(x, y, limit);
   const auto square = [](const Square& at) { return std::pair(at.column, at.row); };
   for (const Square& at : squares) {

@@ -13,9 +13,11 @@ struct ClosePair {
 
 /// Two points nearer than a limit, but not in one place.
 ///
-/// cost   a pass over the coordinates: doubles near 1 are 2^-53 apart, so that only where one is
-///        smaller than 2^54 limits must points be sorted
+/// least_magnitude   of a coordinate that is not zero
+/// cost              none, mostly: doubles near 1 are 2^-53 apart, so that only where one is smaller
+///                   than 2^54 limits must points be sorted
 [[nodiscard]] std::optional<ClosePair> find_close_pair(std::span<const double> x,
-                                                       std::span<const double> y, double limit);
+                                                       std::span<const double> y,
+                                                       double least_magnitude, double limit);
 
 }  // namespace vortree::fmm

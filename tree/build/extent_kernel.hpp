@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "tree/order/points.hpp"
+
 /// The extent of many numbers; the plain twin in tests/tree/order/points.cpp is
 /// std::minmax_element.
 namespace vortree::tree::kernel {
@@ -20,10 +22,6 @@ namespace vortree::tree::kernel {
 [[nodiscard]] constexpr double from_ordinal(std::int64_t number) {
   return std::bit_cast<double>(number ^ (number >> 63 & std::numeric_limits<std::int64_t>::max()));
 }
-
-struct Extent {
-  double low, high;
-};
 
 /// Least and greatest of at least one value. A NaN among them becomes one of the two, by its sign.
 /// Unlike minima of doubles, minima of whole numbers may be taken in any order: many at a time.

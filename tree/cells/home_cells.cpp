@@ -69,12 +69,12 @@ struct Extremes {
 Extremes extremes(std::span<const double> reach) {
   if (reach.empty()) return {0, 0};
   const std::size_t pieces = pieces_of(reach.size());
-  std::array<kernel::Extent, shared_pieces> found;
+  std::array<Extent, shared_pieces> found;
   for_each_piece(pieces, [&](std::size_t p) {
     const Range some = piece(reach.size(), p, pieces);
     found[p] = kernel::extent(reach.subspan(some.first, some.size()));
   });
-  const kernel::Extent all = kernel::united({found.data(), pieces});
+  const Extent all = kernel::united({found.data(), pieces});
   if (!acceptable(all.low) || !acceptable(all.high)) refuse_reach(reach);
   return {all.low, all.high};
 }

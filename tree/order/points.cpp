@@ -27,14 +27,14 @@ bool acceptable(double value) {
   return std::abs(value) <= largest_coordinate;
 }
 
-kernel::Extent extent(char axis, std::span<const double> values) {
+Extent extent(char axis, std::span<const double> values) {
   const std::size_t pieces = pieces_of(values.size());
-  std::array<kernel::Extent, shared_pieces> found;
+  std::array<Extent, shared_pieces> found;
   for_each_piece(pieces, [&](std::size_t p) {
     const Range some = piece(values.size(), p, pieces);
     found[p] = kernel::extent(values.subspan(some.first, some.size()));
   });
-  const kernel::Extent all = kernel::united({found.data(), pieces});
+  const Extent all = kernel::united({found.data(), pieces});
   if (!acceptable(all.low) || !acceptable(all.high)) {
     const auto culprit = std::find_if_not(values.begin(), values.end(), acceptable);
     refuse_coordinate(axis, static_cast<std::size_t>(culprit - values.begin()), *culprit);
@@ -49,7 +49,7 @@ double round_up(double width) {
   return std::ldexp(std::floor(std::ldexp(significand, 20)) + 2, exponent - 20);
 }
 
-double magnitude(kernel::Extent e) {
+double magnitude(Extent e) {
   return std::max(std::abs(e.low), std::abs(e.high));
 }
 
@@ -63,8 +63,11 @@ Domain enclose(Points points) {
   if (points.size() == 0) {
     return {};
   }
-  const kernel::Extent x = extent('x', points.x);
-  const kernel::Extent y = extent('y', points.y);
+  const Extent x = extent('x', points.x);  // what it refuses comes first
+  return enclose(x, extent('y', points.y));
+}
+
+Domain enclose(Extent x, Extent y) {
   const double farthest = std::max(magnitude(x), magnitude(y));
   if (farthest == 0) {
     return {};

@@ -15,6 +15,11 @@ struct Points {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
+/// The least and the greatest of some numbers.
+struct Extent {
+  double low, high;
+};
+
 /// The square [x0, x0 + side] x [y0, y0 + side] that the cell of level 0 covers [m].
 struct Domain {
   double x0 = 0, y0 = 0, side = 1;
@@ -44,6 +49,9 @@ inline constexpr double largest_coordinate = 0x1p1020;
 ///         (and its index) that is not finite or exceeds largest_coordinate
 /// source  Huang, Huang, Xu & Hu, Thermal Science 16 (2012), step 1
 [[nodiscard]] Domain enclose(Points points);
+
+/// The same for points, at least one, whose extents are known and in range.
+[[nodiscard]] Domain enclose(Extent x, Extent y);
 
 /// The same lower left corner with a side at least `factor` times as long, rounded up as above:
 /// lets the cells of some level be of a wished size.
