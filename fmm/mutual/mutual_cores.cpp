@@ -67,7 +67,7 @@ void MutualCores<sums>::add(std::uint32_t leaf, tree::Range leaf_run,
   const tree::Range own{leaves_.start[leaf], leaves_.start[leaf + 1]};
   for (const tree::Range run : runs) {
     meet<false>(common(run, {0, leaf_run.first}), to);
-    meet<false>(common(run, own), to);
+    if (!common(run, own).empty()) meet_itself(to);
     meet<true>(common(run, {own.last, leaf_run.last}), to);
     meet<false>(common(run, {leaf_run.last, run.last}), to);
   }
@@ -165,10 +165,34 @@ void MutualCores<sums>::meet(tree::Range places, const Sums& to) {
     const std::uint32_t count = std::min(step, places.last - j);
     const Look seen = look(j, count, both);
     if (seen.single) {
-      meet_some<both>(single_, j, count, seen.shows, to);
+      meet_some<both>(single_, {0, size_}, j, count, seen.shows, to);
     } else {
       for (std::uint32_t k = 0; k < count; k += lane_count) {
-        meet_some<both>(room_, j + k, lane_count, seen.shows, to);
+        meet_some<both>(room_, {0, size_}, j + k, lane_count, seen.shows, to);
+      }
+    }
+  }
+}
+
+/// The points of the cell upon each other: a vector of them upon itself, and with those behind it
+/// both ways.
+template <std::size_t sums>
+void MutualCores<sums>::meet_itself(const Sums& to) {
+  const auto meet_behind = [&](auto& room, std::uint32_t j, std::uint32_t count, bool shows) {
+    const std::uint32_t behind = std::min(j + count, size_);
+    meet_some<false>(room, {j, behind}, first_ + j, count, shows, to);
+    if (behind < size_) meet_some<true>(room, {behind, size_}, first_ + j, count, shows, to);
+  };
+  const std::uint32_t step = coarse_ ? single_count : lane_count;
+  const auto whole = static_cast<std::uint32_t>(padded(size_));
+  for (std::uint32_t j = 0; j < whole; j += step) {
+    const std::uint32_t count = std::min(step, whole - j);
+    const Look seen = look(first_ + j, count, true);
+    if (seen.single) {
+      meet_behind(single_, j, count, seen.shows);
+    } else {
+      for (std::uint32_t k = j; k < j + count; k += lane_count) {
+        meet_behind(room_, k, lane_count, seen.shows);
       }
     }
   }
@@ -176,13 +200,14 @@ void MutualCores<sums>::meet(tree::Range places, const Sums& to) {
 
 template <std::size_t sums>
 template <bool both, class Number>
-void MutualCores<sums>::meet_some(Room<Number>& room, std::uint32_t first, std::uint32_t count,
-                                  bool shows, const Sums& to) const {
+void MutualCores<sums>::meet_some(Room<Number>& room, tree::Range points, std::uint32_t first,
+                                  std::uint32_t count, bool shows, const Sums& to) const {
   using Vector = typename VectorOf<Number>::Type;
   if (!room.open) fill_room(room);
+  const std::uint32_t from = points.first;
   CellPoints<Number, sums> cell{
-      room.x.data(), room.y.data(), room.gamma.data(), room.core.data(), {}, size_};
-  for (std::size_t s = 0; s < sums; ++s) cell.sum[s] = room.sum[s].data();
+      &room.x[from], &room.y[from], &room.gamma[from], &room.core[from], {}, points.size()};
+  for (std::size_t s = 0; s < sums; ++s) cell.sum[s] = &room.sum[s][from];
   OtherPoints<Vector, sums> others;
   others.x = load_scaled<Number>(&leaves_.points.x[first], count, room.x0, room.per_length);
   others.y = load_scaled<Number>(&leaves_.points.y[first], count, room.y0, room.per_length);

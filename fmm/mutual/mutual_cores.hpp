@@ -68,9 +68,10 @@ class MutualCores {
   [[nodiscard]] Look look(std::uint32_t first, std::uint32_t count, bool both) const;
   template <bool both>
   void meet(tree::Range places, const Sums& to);
+  void meet_itself(const Sums& to);
   template <bool both, class Number>
-  void meet_some(Room<Number>& room, std::uint32_t first, std::uint32_t count, bool shows,
-                 const Sums& to) const;
+  void meet_some(Room<Number>& room, tree::Range points, std::uint32_t first, std::uint32_t count,
+                 bool shows, const Sums& to) const;
 
   const Leaves& leaves_;
   Cores cores_;
