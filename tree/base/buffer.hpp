@@ -24,6 +24,11 @@ class Buffer {
     values_.resize(n);
   }
 
+  /// Room for n values at least; the values themselves are lost if there was less.
+  void widen(std::size_t n) {
+    if (n > values_.size()) renew(n);
+  }
+
   [[nodiscard]] T* data() { return values_.data(); }
   [[nodiscard]] const T* data() const { return values_.data(); }
   [[nodiscard]] std::size_t size() const { return values_.size(); }

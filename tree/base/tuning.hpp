@@ -79,6 +79,9 @@ inline constexpr std::uint32_t largest_group = 64;
 inline constexpr std::uint32_t particles_a_turn = 2048;
 /// Hits among more candidates are not kept but found again: most are misses.
 inline constexpr std::size_t kept_candidates = 8192;
+/// Lines of memory of a row that are fetched before it is written: none cost 3 to 9 % of a list of
+/// shuffled particles, two are as fast as four where rows are short.
+inline constexpr std::int64_t fetched_lines = 4;
 
 // Memory.
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -158,52 +160,78 @@ struct CandidateColumns {
   const float *u, *v, *reach;
 };
 
-struct Tested {
-  std::int64_t hits;
-  bool sure;  // |threshold - d2| > doubt threshold + slack for all
+/// A particle that is tested against them.
+struct Seeker {
+  float u, v, reach;
 };
 
-/// Tests a particle against the registers first..last - 1 of candidates; a set of lanes for each
-/// goes to hits[0], ...
-template <PairRule rule>
-inline Tested test(CandidateColumns all, std::size_t first, std::size_t last, float u, float v,
-                   float reach, float slack, Hits* hits) {
-  const Singles own = fill(reach), zero{};
-  Singles clearance = fill(3e38f);
-  std::int64_t count = 0;
-  for (std::size_t k = first; k < last; ++k) {
-    const Singles du = load(all.u + k * single_count) - u;
-    const Singles dv = load(all.v + k * single_count) - v;
-    const Singles limit =
-        threshold<rule>(own, rule == PairRule::own ? own : load(all.reach + k * single_count));
-    const Singles gap = limit - (du * du + dv * dv);
-    const Hits inside = less(zero, gap);
-    hits[k - first] = inside;
-    count += std::popcount(inside);
-    clearance = smaller(clearance, magnitude(gap) - limit * doubt);
+/// How many candidates passed for each seeker, and whether no pair was in doubt:
+/// |threshold - d2| > doubt threshold + slack for all.
+template <std::size_t count>
+struct Tested {
+  std::array<std::int64_t, count> hits;
+  bool sure;
+};
+
+/// Tests some particles against the registers first..last - 1 of candidates, each of which is
+/// loaded once for all of them. A set of lanes for each register goes to hits[0], ...: those of the
+/// first particle, then those of the next.
+template <PairRule rule, std::size_t count>
+inline Tested<count> test(CandidateColumns all, std::size_t first, std::size_t last,
+                          const std::array<Seeker, count>& seekers, float slack, Hits* hits) {
+  const Singles zero{};
+  Singles u[count], v[count], own[count], clearance = fill(3e38f);
+  std::array<std::int64_t, count> passed{};
+  for (std::size_t s = 0; s < count; ++s) {
+    u[s] = fill(seekers[s].u), v[s] = fill(seekers[s].v), own[s] = fill(seekers[s].reach);
   }
-  return {count, less(fill(slack), clearance) == every_lane};
+  for (std::size_t k = first; k < last; ++k, ++hits) {
+    const Singles to_u = load(all.u + k * single_count), to_v = load(all.v + k * single_count);
+    const Singles other = rule == PairRule::own ? zero : load(all.reach + k * single_count);
+    for (std::size_t s = 0; s < count; ++s) {
+      const Singles du = to_u - u[s], dv = to_v - v[s];
+      const Singles limit = threshold<rule>(own[s], other);
+      const Singles gap = limit - du * du - dv * dv;
+      const unsigned inside = less(zero, gap);
+      hits[s * (last - first)] = static_cast<Hits>(inside);
+      passed[s] += std::popcount(inside);
+      clearance = smaller(clearance, magnitude(gap) - limit * doubt);
+    }
+  }
+  return {passed, less(fill(slack), clearance) == every_lane};
 }
 
 /// Those of the candidates `index` that were hit, one after the other; returns their end. A
 /// register beyond it is overwritten.
 inline std::int32_t* expand(const Hits* hits, std::size_t registers, const std::int32_t* index,
                             std::int32_t* to) {
-  for (std::size_t k = 0; k < registers; ++k) {
-    store_close(to, load(index + k * single_count), hits[k]);
-    to += std::popcount(hits[k]);
+  std::size_t k = 0;
+  for (; k + 2 <= registers; k += 2) {
+    const Hits lanes = hits[k], next = hits[k + 1];
+    store_close(to, load(index + k * single_count), lanes);
+    to += std::popcount(lanes);
+    store_close(to, load(index + (k + 1) * single_count), next);
+    to += std::popcount(next);
   }
-  return to;
+  if (k == registers) return to;
+  store_close(to, load(index + k * single_count), hits[k]);
+  return to + std::popcount(hits[k]);
 }
 
 /// Copies n numbers, and touches nothing beyond them. From `from` on a whole register is readable.
+/// Four registers at a time, the last ones again where there are fewer: how many is not foreseen.
 inline void copy_exactly(const std::int32_t* from, std::size_t n, std::int32_t* to) {
   if (n < single_count) {
     for (std::size_t i = 0; i < n; ++i) to[i] = from[i];
     return;
   }
-  for (std::size_t i = 0; i + single_count < n; i += single_count) store(to + i, load(from + i));
-  store(to + n - single_count, load(from + n - single_count));
+  const std::size_t last = n - single_count;
+  for (std::size_t i = 0; i < n; i += 4 * single_count) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t at = std::min(i + k * single_count, last);
+      store(to + at, load(from + at));
+    }
+  }
 }
 
 }  // namespace vortree::tree::kernel

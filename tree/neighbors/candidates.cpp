@@ -1,8 +1,11 @@
 #include "tree/neighbors/candidates.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 #include "tree/neighbors/exact_distance.hpp"
 
@@ -10,8 +13,8 @@ namespace vortree::tree {
 
 namespace {
 
-// Beyond this, squares of floats are not safe from overflow; fillers are ten times as far.
-constexpr float largest_float = 1e17f, nowhere = 1e18f;
+// Beyond these, squares of floats are not safe from overflow; fillers are ten times as far.
+constexpr float largest_float = 1e17f, largest_limit = 1e34f, nowhere = 1e18f;
 
 // Of a neighbor that is as near as its reach r allows, the distance to the box as a float is less
 // than r (1 + 2^-22): the half width makes up for rounded positions. The squares and their sum add
@@ -52,6 +55,7 @@ Candidates::Frame Candidates::frame(const SortedParticles& placed, Range own, do
 
 template <PairRule rule>
 void Candidates::add_own(const SortedParticles& placed, Range own, const Frame& frame) {
+  size_ = 0;
   for (std::uint32_t k = own.first; k < own.last; k += single_count, size_ += single_count) {
     const Singles u = kernel::near_floats(placed.x.data() + k, frame.x, frame.scale);
     const Singles v = kernel::near_floats(placed.y.data() + k, frame.y, frame.scale);
@@ -64,34 +68,44 @@ void Candidates::add_own(const SortedParticles& placed, Range own, const Frame& 
 }
 
 // Those that reach nobody do not look at each other, however many lie in one place.
+//
+// Whoever is kept is no farther from the box than its limit allows: limits tell whether squares
+// overflow. Pointers and counts are copied: a store of a register might change any member.
 template <PairRule rule, bool quiet>
-void Candidates::add(const SortedParticles& placed, Range others, const Frame& frame) {
+void Candidates::add(const SortedParticles& placed, std::span<const Range> others,
+                     const Frame& frame, kernel::Hits* kept) {
+  const double *x = placed.x.data(), *y = placed.y.data(), *reach = placed.reach.data();
+  float *to_u = u_.data() + size_, *to_v = v_.data() + size_, *to_reach = reach_.data() + size_;
   const Singles zero{}, own = fill(kernel::reach_term<rule>(frame.largest));
-  Singles farthest = fill(farthest_);
-  for (std::uint32_t k = others.first; k < others.last; k += single_count) {
-    const Singles u = kernel::near_floats(placed.x.data() + k, frame.x, frame.scale);
-    const Singles v = kernel::near_floats(placed.y.data() + k, frame.y, frame.scale);
-    Singles r{}, term{};
-    if constexpr (rule != PairRule::own) {
-      r = kernel::near_floats(placed.reach.data() + k, 0, frame.scale);
-      term = rule == PairRule::mean ? 0.5f * r : r * r;
+  const Frame at = frame;
+  Singles longest = kernel::threshold<rule>(own, own);
+  std::size_t count = 0;
+  for (const Range range : others) {
+    for (std::uint32_t k = range.first; k < range.last; k += single_count) {
+      const Singles u = kernel::near_floats(x + k, at.x, at.scale);
+      const Singles v = kernel::near_floats(y + k, at.y, at.scale);
+      Singles term{};
+      if constexpr (rule != PairRule::own) {
+        const Singles r = kernel::near_floats(reach + k, 0, at.scale);
+        term = rule == PairRule::mean ? 0.5f * r : r * r;
+      }
+      const Singles du = larger(magnitude(u) - at.half_u, zero);
+      const Singles dv = larger(magnitude(v) - at.half_v, zero);
+      const Singles limit = kernel::threshold<rule>(own, term);
+      longest = larger(longest, limit);
+      auto keep = static_cast<kernel::Hits>(
+          kernel::not_above(du * du + dv * dv, limit * longer + least_limit) &
+          kernel::first_singles(range.last - k));
+      if constexpr (quiet) keep &= kernel::positive(reach + k);
+      *kept++ = keep;
+      kernel::store_close(to_u + count, u, keep);
+      kernel::store_close(to_v + count, v, keep);
+      if constexpr (rule != PairRule::own) kernel::store_close(to_reach + count, term, keep);
+      count += static_cast<std::size_t>(std::popcount(keep));
     }
-    const Singles du = larger(magnitude(u) - frame.half_u, zero);
-    const Singles dv = larger(magnitude(v) - frame.half_v, zero);
-    const Singles limit = kernel::threshold<rule>(own, term) * longer + least_limit;
-    auto keep = static_cast<kernel::Hits>(kernel::not_above(du * du + dv * dv, limit) &
-                                          kernel::first_singles(others.last - k));
-    if constexpr (quiet) keep &= kernel::positive(placed.reach.data() + k);
-    kept_.push_back(keep);
-    if (keep == 0) continue;
-    const Singles far = larger(larger(magnitude(u), magnitude(v)), r);
-    farthest = larger(farthest, far);
-    kernel::store_close(u_.data() + size_, u, keep);
-    kernel::store_close(v_.data() + size_, v, keep);
-    if constexpr (rule != PairRule::own) kernel::store_close(reach_.data() + size_, term, keep);
-    size_ += static_cast<std::size_t>(std::popcount(keep));
   }
-  for (int i = 0; i < single_count; ++i) farthest_ = std::max(farthest_, farthest[i]);
+  size_ += count;
+  for (int i = 0; i < single_count; ++i) in_floats_ &= longest[i] < largest_limit;
 }
 
 // Fills the last register with what is near to nobody.
@@ -105,31 +119,29 @@ void Candidates::close() {
 
 template <PairRule rule>
 void Candidates::gather(const SortedParticles& placed, Range own, std::span<const Range> others,
-                        double length) {
-  std::size_t room = own.size();
-  for (const Range range : others) room += range.size();
-  for (Buffer<float>* values : {&u_, &v_, &reach_}) values->renew(room + 2 * single_count);
-  placed_ = &placed;
-  own_ = own;
-  others_.assign(others.begin(), others.end());
-  kept_.clear();
+                        double length, Unwritten<kernel::Hits>& kept) {
+  std::size_t room = own.size() + 2 * single_count, sets = 0;
+  for (const Range range : others) room += range.size(), sets += in_registers(range.size());
+  for (Buffer<float>* values : {&u_, &v_, &reach_}) values->widen(room);
+  const std::size_t before = kept.size();
+  kept.resize(before + sets);
+  kernel::Hits* to = kept.data() + before;
+  placed_ = &placed, own_ = own, others_ = others, kept_ = to;
   position_.clear();
-  size_ = 0;
   const Frame around = frame(placed, own, length);
-  farthest_ = around.largest;
-  add_own<rule>(placed, own, around);
-  for (const Range range : others) {
-    around.quiet ? add<rule, true>(placed, range, around) : add<rule, false>(placed, range, around);
-  }
-  close();
   const float widest = std::max(around.half_u, around.half_v);
   h2_ = widest * widest + 1e-30f;
+  in_floats_ = widest < largest_float && std::isfinite(around.scale);
+  add_own<rule>(placed, own, around);
+  around.quiet ? add<rule, true>(placed, others, around, to)
+               : add<rule, false>(placed, others, around, to);
+  close();
 }
 
 void Candidates::find_positions() {
   position_.resize(own_.size());
   std::iota(position_.begin(), position_.end(), static_cast<std::int32_t>(own_.first));
-  const kernel::Hits* set = kept_.data();
+  const kernel::Hits* set = kept_;
   for (const Range range : others_) {
     for (std::uint32_t k = range.first; k < range.last; k += single_count) {
       for (unsigned lanes = *set++; lanes != 0; lanes &= lanes - 1) {
@@ -139,26 +151,61 @@ void Candidates::find_positions() {
   }
 }
 
-template <PairRule rule>
-std::int64_t Candidates::test(std::size_t local, std::size_t first, kernel::Hits* hits) {
-  const kernel::Tested tested =
-      kernel::test<rule>({u_.data(), v_.data(), reach_.data()}, first, registers_, u_[local],
-                         v_[local], reach_[local], kernel::doubt * h2_, hits);
-  if (tested.sure && farthest_ < largest_float) return tested.hits;
+std::int64_t Candidates::test_exactly(PairRule rule, std::size_t local, std::size_t first,
+                                      kernel::Hits* hits) {
   if (position_.empty()) find_positions();
   return exact_test(*placed_, rule, own_.first + static_cast<std::uint32_t>(local),
                     std::span(position_).subspan(first * single_count), hits);
+}
+
+// A store of hits might change any member, too: what is needed in the loop is copied before it.
+template <PairRule rule>
+kernel::Hits* Candidates::test(std::size_t first, std::size_t last, Listing listing,
+                               kernel::Hits* hits, std::int64_t* found) {
+  static_assert(single_count % at_once == 0, "those tested together begin in one register");
+  const kernel::CandidateColumns all{u_.data(), v_.data(), reach_.data()};
+  const std::size_t registers = registers_;
+  const float slack = kernel::doubt * h2_;
+  const bool in_floats = in_floats_;
+  const unsigned once = listing == Listing::once ? 1 : 0;
+  const auto test_some = [&]<std::size_t count>(std::size_t local,
+                                                std::integral_constant<std::size_t, count>) {
+    const std::size_t begin = first_register(local, listing), of_one = registers - begin;
+    std::array<kernel::Seeker, count> seekers;
+    for (std::size_t s = 0; s < count; ++s) {
+      seekers[s] = {all.u[local + s], all.v[local + s], all.reach[local + s]};
+    }
+    const auto told = kernel::test<rule, count>(all, begin, registers, seekers, slack, hits);
+    const bool sure = told.sure && in_floats;
+    kernel::Hits* set = hits + local / single_count - begin;
+    unsigned itself = 1u << local % single_count;
+    for (std::size_t s = 0; s < count; ++s, hits += of_one, set += of_one, itself *= 2) {
+      std::int64_t passed = told.hits[s];
+      if (!sure) passed = test_exactly(rule, local + s, begin, hits);
+      const unsigned barred = (itself << once) - once;
+      *found++ = passed - std::popcount(*set & barred);
+      *set = static_cast<kernel::Hits>(*set & ~barred);
+    }
+  };
+  std::size_t local = first;
+  for (; local + at_once <= last; local += at_once) {
+    test_some(local, std::integral_constant<std::size_t, at_once>{});
+  }
+  for (; local < last; ++local) test_some(local, std::integral_constant<std::size_t, 1>{});
+  return hits;
 }
 
 std::size_t gather_numbers(const Buffer<std::int32_t>& of, Range own, std::span<const Range> others,
                            const kernel::Hits* kept, std::int32_t* to, std::size_t& count) {
   std::copy(of.data() + own.first, of.data() + own.last, to);
   std::int32_t* next = to + own.size();
+  const std::int32_t* numbers = of.data();
   const kernel::Hits* set = kept;
   for (const Range range : others) {
-    for (std::uint32_t k = range.first; k < range.last; k += single_count, ++set) {
-      kernel::store_close(next, load(of.data() + k), *set);
-      next += std::popcount(*set);
+    for (std::uint32_t k = range.first; k < range.last; k += single_count) {
+      const kernel::Hits lanes = *set++;
+      kernel::store_close(next, load(numbers + k), lanes);
+      next += std::popcount(lanes);
     }
   }
   count = static_cast<std::size_t>(next - to);
@@ -166,13 +213,19 @@ std::size_t gather_numbers(const Buffer<std::int32_t>& of, Range own, std::span<
 }
 
 template void Candidates::gather<PairRule::max>(const SortedParticles&, Range,
-                                                std::span<const Range>, double);
+                                                std::span<const Range>, double,
+                                                Unwritten<kernel::Hits>&);
 template void Candidates::gather<PairRule::mean>(const SortedParticles&, Range,
-                                                 std::span<const Range>, double);
+                                                 std::span<const Range>, double,
+                                                 Unwritten<kernel::Hits>&);
 template void Candidates::gather<PairRule::own>(const SortedParticles&, Range,
-                                                std::span<const Range>, double);
-template std::int64_t Candidates::test<PairRule::max>(std::size_t, std::size_t, kernel::Hits*);
-template std::int64_t Candidates::test<PairRule::mean>(std::size_t, std::size_t, kernel::Hits*);
-template std::int64_t Candidates::test<PairRule::own>(std::size_t, std::size_t, kernel::Hits*);
+                                                std::span<const Range>, double,
+                                                Unwritten<kernel::Hits>&);
+template kernel::Hits* Candidates::test<PairRule::max>(std::size_t, std::size_t, Listing,
+                                                       kernel::Hits*, std::int64_t*);
+template kernel::Hits* Candidates::test<PairRule::mean>(std::size_t, std::size_t, Listing,
+                                                        kernel::Hits*, std::int64_t*);
+template kernel::Hits* Candidates::test<PairRule::own>(std::size_t, std::size_t, Listing,
+                                                       kernel::Hits*, std::int64_t*);
 
 }  // namespace vortree::tree

@@ -25,8 +25,8 @@ struct Group {
   double length = 1;
 };
 
-/// Names the runs of placed particles, besides its own ones, that hold every possible neighbor of a
-/// group; for Listing::once only those that no other group names for the same pair.
+/// Appends the runs of placed particles, besides its own ones, that hold every possible neighbor of
+/// a group; for Listing::once only those that no other group names for the same pair.
 using NameCandidates = std::function<void(const Group&, std::vector<Range>& others)>;
 
 /// Lists of neighbors from groups and their candidates, however these were found: by QCG, by grids.
@@ -60,7 +60,7 @@ class RowSearch {
     std::size_t first, last;  // groups
     std::vector<Range> others;
     std::vector<std::uint32_t> other_count;  // of each group
-    std::vector<kernel::Hits> kept, hits;
+    Unwritten<kernel::Hits> kept, hits;
   };
   class Pass;
 

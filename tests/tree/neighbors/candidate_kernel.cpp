@@ -1,5 +1,6 @@
 #include "tree/neighbors/candidate_kernel.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -68,9 +69,26 @@ TEST_CASE("a copy ends where it should") {
   }
 }
 
+TEST_CASE("numbers that were hit stand one after the other, for any number of registers") {
+  test::Chance chance(44);
+  std::vector<std::int32_t> index(9 * single_count), to(10 * single_count);
+  for (std::size_t k = 0; k < index.size(); ++k) index[k] = static_cast<std::int32_t>(k);
+  for (std::size_t registers = 0; registers < 10; ++registers) {
+    std::vector<kernel::Hits> hits(registers);
+    std::vector<std::int32_t> hit;
+    for (std::size_t k = 0; k < registers * single_count; ++k) {
+      if (chance.whole(0, 1) == 0) continue;
+      hits[k / single_count] |= static_cast<kernel::Hits>(1u << k % single_count);
+      hit.push_back(index[k]);
+    }
+    std::int32_t* const end = kernel::expand(hits.data(), registers, index.data(), to.data());
+    CHECK(std::vector<std::int32_t>(to.data(), end) == hit);
+  }
+}
+
 namespace {
 
-template <PairRule rule>
+template <PairRule rule, std::size_t count>
 void check_tests(test::Chance& chance) {
   constexpr std::size_t registers = 9, n = registers * single_count;
   std::vector<float> u(n), v(n), term(n);
@@ -78,20 +96,27 @@ void check_tests(test::Chance& chance) {
     u[k] = static_cast<float>(chance.real()), v[k] = static_cast<float>(chance.real());
     term[k] = kernel::reach_term<rule>(static_cast<float>(0.7 * chance.real()));
   }
-  const float reach = 0.4f;
-  std::vector<kernel::Hits> hits(registers - 1);
-  const auto tested = kernel::test<rule>({u.data(), v.data(), term.data()}, 1, registers, 0.5f,
-                                         0.5f, kernel::reach_term<rule>(reach), 1e-6f, hits.data());
-  CHECK(tested.sure);
-  std::int64_t count = 0;
-  for (std::size_t k = single_count; k < n; ++k) {
-    const double other = rule == PairRule::mean ? 2.0 * term[k] : std::sqrt(term[k]);
-    const double r = pair_reach<rule>(reach, other);
-    const bool inside = std::hypot(u[k] - 0.5, v[k] - 0.5) < r;
-    CHECK((hits[k / single_count - 1] >> k % single_count & 1) == inside);
-    count += inside;
+  std::array<kernel::Seeker, count> seekers;
+  for (std::size_t s = 0; s < count; ++s) {
+    const float reach = 0.4f + 0.1f * static_cast<float>(s);
+    seekers[s] = {0.5f, 0.3f + 0.2f * static_cast<float>(s), kernel::reach_term<rule>(reach)};
   }
-  CHECK(tested.hits == count);
+  std::vector<kernel::Hits> hits(count * (registers - 1));
+  const auto tested = kernel::test<rule, count>({u.data(), v.data(), term.data()}, 1, registers,
+                                                seekers, 1e-6f, hits.data());
+  CHECK(tested.sure);
+  for (std::size_t s = 0; s < count; ++s) {
+    std::int64_t passed = 0;
+    for (std::size_t k = single_count; k < n; ++k) {
+      const double other = rule == PairRule::mean ? 2.0 * term[k] : std::sqrt(term[k]);
+      const double r = pair_reach<rule>(0.4 + 0.1 * static_cast<double>(s), other);
+      const bool inside = std::hypot(u[k] - seekers[s].u, v[k] - seekers[s].v) < r;
+      const kernel::Hits set = hits[s * (registers - 1) + k / single_count - 1];
+      CHECK((set >> k % single_count & 1) == inside);
+      passed += inside;
+    }
+    CHECK(tested.hits[s] == passed);
+  }
 }
 
 }  // namespace
@@ -99,9 +124,12 @@ void check_tests(test::Chance& chance) {
 TEST_CASE("many at once pass the test that each passes alone") {
   test::Chance chance(43);
   for (int round = 0; round < 20; ++round) {
-    check_tests<PairRule::max>(chance);
-    check_tests<PairRule::mean>(chance);
-    check_tests<PairRule::own>(chance);
+    check_tests<PairRule::max, 1>(chance);
+    check_tests<PairRule::max, 2>(chance);
+    check_tests<PairRule::mean, 1>(chance);
+    check_tests<PairRule::mean, 2>(chance);
+    check_tests<PairRule::own, 1>(chance);
+    check_tests<PairRule::own, 2>(chance);
   }
 }
 
@@ -110,8 +138,9 @@ TEST_CASE("who is too near to the threshold for floats is told") {
   kernel::Hits hits = 0;
   const auto sure = [&](float at) {
     u[1] = at;
-    return kernel::test<PairRule::max>({u.data(), v.data(), term.data()}, 0, 1, 0.0f, 0.0f, 1.0f,
-                                       1e-7f, &hits)
+    const std::array<kernel::Seeker, 1> seeker{{{0.0f, 0.0f, 1.0f}}};
+    return kernel::test<PairRule::max, 1>({u.data(), v.data(), term.data()}, 0, 1, seeker, 1e-7f,
+                                          &hits)
         .sure;
   };
   CHECK(sure(0.99f));
