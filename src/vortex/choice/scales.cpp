@@ -22,7 +22,10 @@ bool spreads_cores(const VortexCase& scene) {
 }
 
 bool makes_children(const VortexCase& scene) {
-  return spreads_cores(scene) && (scene.body || scene.splitting.scheme == SplitScheme::ring);
+  if (!spreads_cores(scene)) return false;
+  if (scene.splitting.scheme == SplitScheme::ring) return true;
+  const double least = lattice_step / sharpest_followed * scene.cores.sigma_max;
+  return scene.body && body::tip_of(*scene.body).radius < least;
 }
 
 double strained_for(const VortexCase& scene) {

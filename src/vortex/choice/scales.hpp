@@ -15,8 +15,8 @@ inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 
 /// Blobs widen, and are split: there is viscosity, and it acts by core spreading.
 [[nodiscard]] bool spreads_cores(const VortexCase& scene);
 
-/// Blobs are split into children that must merge lest they multiply: beside a body, and by rings.
-/// Nodes of lattices do not multiply.
+/// Blobs are split into children that must merge lest they multiply: by rings, and around an edge
+/// that is too sharp for a lattice along it. Nodes of lattices do not multiply.
 [[nodiscard]] bool makes_children(const VortexCase& scene);
 
 /// For how long cores of a free vortex are strained until they are laid onto lattices anew [T]: 4

@@ -108,15 +108,15 @@ void doubt_idle(Warnings& list, const SplittingSettings& splitting) {
   const auto idle = [&](std::string_view key, const auto& value, const auto& of_rings) {
     if (value != of_rings)
       list.push_back(fmt::format(
-          "splitting.{} = {}: without a body wide blobs are laid onto lattices and have no "
-          "children: it changes nothing; it does with splitting.scheme = \"ring\"",
+          "splitting.{} = {}: wide blobs are laid onto lattices and have no children: it changes "
+          "nothing; it does with splitting.scheme = \"ring\"",
           key, value));
   };
   idle("alpha", splitting.alpha, usual.alpha);
   idle("children", splitting.children, usual.children);
 }
 
-/// In free space, where all that is too wide is laid onto lattices.
+/// Where all that is too wide is laid onto lattices.
 void doubt_lattice(Warnings& list, const VortexCase& scene) {
   const double widest = scene.cores.sigma_max, nu = scene.flow.nu, dt = scene.time.dt;
   if (4 * nu * dt <= 1.4 * widest * widest) return;  // what two levels are apart, but for nodes
