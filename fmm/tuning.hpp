@@ -13,11 +13,16 @@ namespace vortree::fmm {
 // Where series begin to pay.
 
 /// Points of a childless cell that near sums and series agree on; cells of twice as many split.
-/// Larger cells sum more pairs, smaller ones translate more series, and longer series are dearer.
-/// Flat: cells that split above 32 or 64 points instead of 40 take 0.2 or 3 % more instructions,
-/// above 16 or 96 41 or 22 % (counted as for cored_capacity, without cores).
-inline constexpr double even_leaf = 20, even_leaf_fine = 32;
+/// Larger cells sum more pairs, but fill more of their vectors; smaller ones translate more series,
+/// and longer series are dearer. Flat: by the best of five times of 1e4 and 1e5 bare vortices,
+/// uniform, ring and wake, and hard, 32 and 40 take 0 and 9 % longer on average than 28 at 1e-3 and
+/// 1e-6, 20 and 48 7 and 13 %; below fine_tolerance 28 and 40 take 5 and -2 % longer than 32.
+inline constexpr double even_leaf = 28, even_leaf_fine = 32;
 inline constexpr double fine_tolerance = 1e-10;
+/// The same with cores, unless their reach asks for wider cells. Of fewer it does everywhere in the
+/// wake of a cylinder; of 20 or 32 sums with gradients took 2 or 18 % longer there (three frames of
+/// 1e4 blobs, best of three times), and as long in clouds of even blobs.
+inline constexpr double even_cored_leaf = 16;
 /// The most points of a childless cell with cores: near sums with cores share what a vector of
 /// sources costs among the points of a cell. Flat: 32, 96 or 128 take 6 % more, 0.3 % fewer and 2 %
 /// more instructions than 64 (callgrind of `vortree velocity --threads 1 --tolerance 1e-6

@@ -1,10 +1,11 @@
+#include "fmm/adaptive/adaptive.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "fmm/adaptive/adaptive.hpp"
 #include "fmm/geometry/vortices.hpp"
 #include "fmm/tuning.hpp"
 #include "tree/base/parallel.hpp"
@@ -75,8 +76,8 @@ void Adaptive::grow(const Sources& sources, const SourceBounds& bounds) {
   }
   const double widest = bounds.sigma.largest_magnitude();
   const double reach = widest * std::sqrt(core_reach2(options_.tolerance)) * (1 + 1e-9);
-  const double even =
-      domain.side * std::sqrt(leaf_size(options_) / std::max<double>(1.0, sources.size()));
+  const double leaf = widest > 0.0 ? even_cored_leaf : leaf_size(options_);
+  const double even = domain.side * std::sqrt(leaf / std::max<double>(1.0, sources.size()));
   domain = tree::enlarge(domain, stretch(domain.side, std::max(even, reach)));
   tree::MortonOrder order =
       tree::morton_order({sources.x, sources.y}, domain, options_.finest_level);
