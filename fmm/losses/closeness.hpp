@@ -14,8 +14,8 @@ struct ClosePair {
 /// Two points nearer than a limit, but not in one place.
 ///
 /// least_magnitude   of a coordinate that is not zero
-/// cost              none, mostly: doubles near 1 are 2^-53 apart, so that only where one is smaller
-///                   than 2^54 limits must points be sorted
+/// cost              none, mostly: doubles near 1 are 2^-53 apart, so that points must be sorted
+///                   only where a coordinate is smaller than 2^54 limits
 [[nodiscard]] std::optional<ClosePair> find_close_pair(std::span<const double> x,
                                                        std::span<const double> y,
                                                        double least_magnitude, double limit);
