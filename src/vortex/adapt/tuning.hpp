@@ -51,7 +51,7 @@ inline constexpr double narrowest_laid = 0.8;
 /// children lie in crosses.
 inline constexpr double sharpest_followed = 0.25;
 /// Columns of that lattice, at least and at most.
-inline constexpr int least_columns = 8, most_columns = 1 << 22;
+inline constexpr int least_columns = 8, most_columns = 1 << 18;
 /// Of lattices, each a root of two wider than the one before: cores of 2^32 sigma_max.
 inline constexpr int most_levels = 64;
 
