@@ -115,7 +115,7 @@ def bias(mean):
 
 
 def thousands(count):
-    return f"{float(f'{count:.2g}'):,.0f}".replace(",", " ")
+    return f"{float(f'{count:.2g}'):,.0f}".replace(",", " ") if count >= 1000 else str(count)
 
 
 def kept():

@@ -67,7 +67,8 @@ TEST_CASE("more than the machine holds is refused with the numbers, before anyth
              Contains("body.panels is 10000; the wall's matrix would take 1.6 GB"));
   CHECK_THAT(refused_for(1e11, scene(vortex_by_hand, {"flow.nu=1e10"})),
              Contains("cores.sigma_max 0.05"));
-  CHECK_THAT(refused_for(1e11, scene(cylinder_by_accuracy, {"merging.tolerance=0"})),
+  CHECK_THAT(refused_for(1e11, scene(cylinder_by_accuracy,
+                                     {"merging.tolerance=0", "splitting.scheme=ring"})),
              Contains("merging.tolerance 0"));
   CHECK_THAT(
       refused_for(1e9, scene(vortex_by_hand, {"output.fields=[1]", "output.window=[-1,-1,1,1]",
