@@ -27,8 +27,8 @@ struct WallLattice {
   WallLattice(double sigma_max, double spread);
 
   /// Whether a core can be laid where this is its nearest wall point: in no direction much narrower
-  /// than a node, nor wider than 3.7 steps more, and where the wall bends by less than a quarter of
-  /// a radian in a step.
+  /// than a node, nor wider than 3.7 steps more, and where the wall turns by less than a tenth in
+  /// a step.
   bool takes(const Core& core, const body::WallPoint& nearest) const;
 
   /// Whether so many columns can be.
