@@ -47,9 +47,9 @@ inline constexpr double faint_widening = 2;
 /// Cores are laid along the wall if in no direction they have less than so much of a node's square:
 /// thinner ones have negative shares, and lose their fourth moments.
 inline constexpr double narrowest_laid = 0.8;
-/// The lattice along a wall turns with it by so much a step at most [radians]; where it would by more
-/// children lie in crosses. It errs by the square: with 0.25 the drag at Re = 1 and 20 was 0.3 to
-/// 0.4 % low (accuracy 0.01) where it is 0.1 % high. Without such cores 0.1 and 0.25 are the same.
+/// The lattice along a wall turns with it by so much a step at most [radians]; where it would by
+/// more children lie in crosses. It errs by the square: with 0.25 the drag at Re = 1 and 20 was 0.3
+/// to 0.4 % low (accuracy 0.01) where it is 0.1 % high.
 inline constexpr double sharpest_followed = 0.1;
 /// Columns of that lattice, at least and at most.
 inline constexpr int least_columns = 8, most_columns = 1 << 18;
