@@ -56,9 +56,18 @@ def draw(run):
     panels[-1].set_ylabel(CLOCKS[clock])
     if numeric:
         at_values(panels[0], sorted({number(row[keys[-1]]) for row in rows}))
-    panels[0].legend(loc="best", fontsize=9)
+    tell_curves(panels[0], len(shown) if numeric else 0)
     fig.text(0.995, 0.005, where(notes), ha="right", va="bottom", fontsize=7.5, color=GREY)
     return fig
+
+
+def tell_curves(axes, curves):
+    """Many curves leave room for a legend below them alone."""
+    if curves <= 4:
+        return axes.legend(loc="best", fontsize=9)
+    low, high = axes.get_ylim()
+    axes.set_ylim(low * (low / high) ** (0.08 * curves), high)
+    return axes.legend(loc="lower right", fontsize=9)
 
 
 def clock_of(notes):
