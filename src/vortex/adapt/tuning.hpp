@@ -47,6 +47,9 @@ inline constexpr double faint_widening = 2;
 /// Cores are laid along the wall if in no direction they have less than so much of a node's square:
 /// thinner ones have negative shares, and lose their fourth moments.
 inline constexpr double narrowest_laid = 0.8;
+/// Nor if they have spread by more than so many squares of a step in a direction: they would reach
+/// more nodes than shares are kept for, 16 to a side.
+inline constexpr double widest_laid = 14.4;
 /// The lattice along a wall turns with it by so much a step at most [radians]; where it would by
 /// more children lie in crosses. It errs by the square: with 0.25 the drag at Re = 1 and 20 was 0.3
 /// to 0.4 % low (accuracy 0.01) where it is 0.1 % high.

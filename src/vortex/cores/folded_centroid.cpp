@@ -14,7 +14,7 @@ double height(const body::WallPoint& nearest, const Covariance& core) {
 namespace {
 
 body::WallPoint nearest(Vec2 at, const Core& core, const body::Shape* wall) {
-  return WallPoints().nearest(0, at, reach_of(core), wall);
+  return wall_point_within(at, reach_of(core), wall);
 }
 
 /// What is nearest of a wall that the core reaches, and the core in its frame; or nothing.

@@ -8,6 +8,14 @@
 
 namespace vortree::vortex {
 
+/// Of a place whose wall point is not known, or where there is no wall.
+inline constexpr body::WallPoint no_wall_point{0, INFINITY, {}, 0};
+
+/// The wall point nearest to a place, or none where that is certainly farther than `reach`.
+inline body::WallPoint wall_point_within(Vec2 at, double reach, const body::Shape* wall) {
+  return !wall || wall->beyond(at, reach) ? no_wall_point : wall->nearest(at);
+}
+
 /// The wall points nearest to a cloud's places, as far as they have been found: to find one costs
 /// more than all that a blob asks of it, and a step asks a dozen times.
 ///
@@ -16,7 +24,7 @@ namespace vortree::vortex {
 class WallPoints {
  public:
   /// Nothing of so many.
-  explicit WallPoints(std::size_t count = 0) : found_(count, far()) {}
+  explicit WallPoints(std::size_t count = 0) : found_(count, no_wall_point) {}
 
   void keep(std::size_t i, const body::WallPoint& nearest) { found_[i] = nearest; }
 
@@ -24,16 +32,15 @@ class WallPoints {
   /// is no wall, or where it is certainly farther than `reach`.
   body::WallPoint nearest(std::size_t i, Vec2 at, double reach, const body::Shape* wall) const {
     const body::WallPoint w = known(i);
-    if (w.distance < INFINITY || !wall || wall->beyond(at, reach)) return w;
-    return wall->nearest(at);
+    return w.distance < INFINITY ? w : wall_point_within(at, reach, wall);
   }
 
   /// That of place i, or one infinitely far.
-  body::WallPoint known(std::size_t i) const { return i < found_.size() ? found_[i] : far(); }
+  body::WallPoint known(std::size_t i) const {
+    return i < found_.size() ? found_[i] : no_wall_point;
+  }
 
  private:
-  static body::WallPoint far() { return {0, INFINITY, {}, 0}; }
-
   std::vector<body::WallPoint> found_;
 };
 

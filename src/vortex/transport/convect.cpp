@@ -20,8 +20,7 @@ FoldedBlobs gone(const FoldedBlobs& from, const Velocities& u, const body::Shape
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     Vec2 to = from.at(i) + dt * Vec2{u.u[i], u.v[i]};
     const double s = from.sigma[i];
-    if (const auto w = WallPoints().nearest(i, to, folded::support * s, wall);
-        w.distance < INFINITY) {
+    if (const auto w = wall_point_within(to, folded::support * s, wall); w.distance < INFINITY) {
       const Vec2 out = to + std::max(least_mean * s - w.distance, 0.0) * w.normal;
       at.wall.keep(i, along_normal(w, to, out));
       to = out;
@@ -61,7 +60,7 @@ WallPoints strain(Blobs& blobs, const FoldedBlobs& from, const Velocities& u, co
         before.distance < INFINITY ? from.folded(i) : Placed{blobs.centre(i), blobs.core(i)};
     const Placed to =
         strained(acts, before, dt * Vec2{u.u[i], u.v[i]}, {g.ux[i], g.uy[i], g.vx[i]}, dt);
-    const body::WallPoint nearest = WallPoints().nearest(i, to.centre, reach_of(to.core), wall);
+    const body::WallPoint nearest = wall_point_within(to.centre, reach_of(to.core), wall);
     const Placed blob = unfold(to, nearest);
     found.keep(i, along_normal(nearest, to.centre, blob.centre));
     return blob;

@@ -17,9 +17,9 @@ WallLattice::WallLattice(double sigma_max, double spread) {
 }
 
 bool WallLattice::takes(const Core& core, const body::WallPoint& nearest) const {
-  const double strain = 2 * core.deviator.size(), most = SpreadShares::most;
+  const double strain = 2 * core.deviator.size();
   return core.square - strain >= narrowest_laid * square &&
-         core.square + strain <= square + 2 * most * most / 16 * step * step * 0.9 &&
+         core.square + strain <= square + 2 * widest_laid * step * step &&
          std::abs(nearest.curvature) * step <= sharpest_followed;
 }
 
@@ -127,14 +127,16 @@ class WallNodes {
       put(from_k, from_j, -share);
       put(to_k, to_j, share);
     }
+    /// The row below, or that on the wall.
+    static std::int64_t below(std::int64_t j) { return std::max<std::int64_t>(j - 1, 0); }
     void tilt(std::int64_t k, std::int64_t j, double tilt) {
-      const std::int64_t low = std::max<std::int64_t>(j - 1, 0), at = nodes.around(k);
+      const std::int64_t low = below(j), at = nodes.around(k);
       const double share = tilt / (2 * (nodes.mean(at, j + 1) - nodes.mean(at, low)));
       for (int a : {-1, 1}) shift(k + a, low, k + a, j + 1, a * share);
     }
     /// Solves by_n n + by_t t = missed; what roundings have left goes to the middle.
     void make_up(std::int64_t k, std::int64_t j) {
-      const std::int64_t low = std::max<std::int64_t>(j - 1, 0);
+      const std::int64_t low = below(j);
       const auto at = [&](int a) { return nodes.around(k + a); };
       const Vec2 n = nodes.centroid(at(0), j + 1) - nodes.centroid(at(0), low),
                  t = nodes.centroid(at(1), j) - nodes.centroid(at(-1), j), d = missed;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -23,18 +22,5 @@ struct CirculationUnits {
     return std::ldexp(static_cast<double>(units), exponent);
   }
 };
-
-/// The shares of one blob, together what it has itself; the one in the middle has what is left.
-template <std::size_t N>
-std::array<std::int64_t, N> parted(std::int64_t units, const std::array<double, N>& share) {
-  std::array<std::int64_t, N> parts;
-  std::int64_t left = units;
-  for (std::size_t k = 0; k < N; ++k) {
-    parts[k] = std::llrint(static_cast<double>(units) * share[k]);
-    if (k != N / 2) left -= parts[k];
-  }
-  parts[N / 2] = left;
-  return parts;
-}
 
 }  // namespace vortree::vortex
