@@ -9,7 +9,7 @@ Motion motion_of(const std::optional<PlungeSettings>& plunge,
     const auto [x, y] = plunge->direction;
     of.plunge = {plunge->amplitude * unit(Vec2{x, y}), plunge->frequency};
   }
-  if (motion) of.spin = {motion->spin};
+  if (motion) of.spin = {motion->spin}, of.course = motion->course;
   return of;
 }
 

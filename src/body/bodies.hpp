@@ -10,11 +10,7 @@
 
 namespace vortree::body {
 
-/// How a body moves: to and fro, and about its centre.
-struct Motion {
-  Plunge plunge{};
-  Spin spin{};
-};
+/// What a scene says of how its body moves.
 [[nodiscard]] Motion motion_of(const std::optional<PlungeSettings>&,
                                const std::optional<MotionSettings>&);
 

@@ -50,10 +50,31 @@ std::vector<Key> keys(PlungeSettings& plunge) {
           "along which it moves, [x, y] of any length but 0")};
 }
 
+void refuse(const MotionSettings& motion) {
+  if (!motion.given_by_time() && motion.spin == 0)
+    throw Refused("motion", "[motion] needs one of the keys x, y, angle, file, spin");
+  if (motion.file && (motion.x || motion.y || motion.angle))
+    throw Refused("motion.file",
+                  "motion.file has columns x, y, angle; write it or motion.x, y, angle, not both");
+  if (motion.angle && motion.spin != 0)
+    throw Refused("motion.spin", "motion.spin and motion.angle both turn the body; write one");
+}
+
 std::vector<Key> keys(MotionSettings& motion) {
-  return {key("spin", motion.spin, required(anything), "1/T",
-              "angle a unit of time by which a circle turns about its centre, anticlockwise, in "
-              "radians")};
+  return {
+      key("x", motion.x, anything, "L",
+          "by how much the body moves along x, an expression of t, as \"0.1*cos(2*pi*t)\""),
+      key("y", motion.y, anything, "L", "likewise along y"),
+      key("angle", motion.angle, anything, "degrees",
+          "by how much it is turned anticlockwise, likewise"),
+      key("about", motion.about, anything, "L",
+          "place [x, y] about which it turns, as seen from its centre at angle 0"),
+      key("file", motion.file, anything, "",
+          "CSV file of t and x, y, angle or some of them, instead of expressions; between its rows "
+          "a cubic spline; its place is as seen from the scene's"),
+      key("spin", motion.spin, anything, "1/T",
+          "angle a unit of time by which a circle turns about its centre, anticlockwise, in "
+          "radians")};
 }
 
 }  // namespace vortree::body

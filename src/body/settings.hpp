@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/keys.hpp"
 #include "base/kinds.hpp"
+#include "body/course.hpp"
 
 // The tables [body], [plunge] and [motion] of a scene.
 
@@ -48,11 +51,24 @@ struct PlungeSettings {
   bool operator==(const PlungeSettings&) const = default;
 };
 
-/// A circle that turns about its centre at a steady rate, anticlockwise, from t = 0 on.
+/// How a body moves: its pivot by x, y [L], and the body about it by `angle` (degrees,
+/// anticlockwise), each as an expression of t, or all as columns of a file; or as a circle that
+/// turns about its centre at a steady rate, `spin`, from t = 0 on.
+///
+/// about   the pivot, from the body's centre at angle 0
+/// course  what x, y, angle or the file say, once a scene has been read
 struct MotionSettings {
   double spin = 0;
+  std::optional<std::string> x{}, y{}, angle{}, file{};
+  std::array<double, 2> about{0, 0};
+  Course course{};
   bool operator==(const MotionSettings&) const = default;
+
+  bool given_by_time() const { return x || y || angle || file; }
 };
+
+/// throws  Refused if it says nothing, or one thing twice
+void refuse(const MotionSettings&);
 
 /// Their keys, in the order in which they are read and printed.
 [[nodiscard]] std::vector<Key> keys(BodySettings&);

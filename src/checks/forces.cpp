@@ -133,7 +133,7 @@ void check_forces(std::vector<Verdict>& list, const Finished& run) {
   const Series impulse = rows.column("cd_impulse"), wall = rows.column("cd_wall"),
                lift = rows.column("cl_impulse"), wall_lift = rows.column("cl_wall");
   add(list, "routes_max", c.routes_max, [&] {
-    if (scene.plunge) return routes_apart(rows, c.routes_from, impulse, wall);
+    if (scene.plunge || scene.motion) return routes_apart(rows, c.routes_from, impulse, wall);
     return rows.largest(c.routes_from,
                         [&](std::size_t r) { return deviation(impulse[r], wall[r]); });
   });

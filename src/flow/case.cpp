@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -36,9 +37,38 @@ double fastest_plunge(const Case& of) {
   return 2 * std::numbers::pi * of.plunge->frequency * of.plunge->amplitude;
 }
 
-/// Of the wall along itself.
-double spinning_wall(const Case& of) {
-  return of.motion ? std::abs(of.motion->spin) * body::length_of(*of.body) / 2 : 0;
+/// The greatest of a course, of its centre and of its turning.
+struct FastestMoves {
+  double speed = 0, acceleration = 0, rate = 0, spin_up = 0;
+
+  explicit FastestMoves(const body::Course& course) {
+    for (const double t : course.times()) {
+      const body::Kinematics now = course.at(t);
+      speed = std::max(speed, std::hypot(now.velocity.x, now.velocity.y));
+      acceleration = std::max(acceleration, std::hypot(now.acceleration.x, now.acceleration.y));
+      rate = std::max(rate, std::abs(now.rate));
+      spin_up = std::max(spin_up, std::abs(now.spin_up));
+    }
+  }
+
+  /// Of the cosines that have the same.
+  double period() const {
+    const double travel = acceleration > 0 ? speed / acceleration : INFINITY;
+    const double turn = spin_up > 0 ? rate / spin_up : INFINITY;
+    return 2 * std::numbers::pi * std::min(travel, turn);
+  }
+};
+
+/// Of the centre of the body.
+double fastest_travel(const Case& of) {
+  return fastest_plunge(of) + (of.motion ? FastestMoves(of.motion->course).speed : 0);
+}
+
+/// Of the wall about the centre.
+double fastest_turn(const Case& of) {
+  if (!of.motion) return 0;
+  const double rate = std::abs(of.motion->spin) + FastestMoves(of.motion->course).rate;
+  return rate * body::length_of(*of.body) / 2;
 }
 
 void refuse_plunge(const Case& of) {
@@ -50,7 +80,8 @@ void refuse_plunge(const Case& of) {
 
 void refuse_motion(const Case& of) {
   if (!of.body) throw Refused("motion", "[motion] is how a body moves; there is no [body]");
-  if (!body::round(*of.body))
+  body::refuse(*of.motion);
+  if (of.motion->spin != 0 && !body::round(*of.body))
     throw Refused("motion.spin",
                   fmt::format("motion.spin is {}; only a circle can turn in its place, body.shape "
                               "is \"{}\"",
@@ -105,7 +136,7 @@ void choose_viscosity(Case& of, const Written& written) {
   if (!periodic && (!of.body || speed_of(of) == 0))
     throw Refused("flow.reynolds",
                   fmt::format("flow.reynolds is {}; that needs [body] and a flow.stream, "
-                              "[plunge] or motion.spin",
+                              "[plunge] or [motion]",
                               *of.flow.reynolds));
   const double size =
       periodic ? periodic->speed * periodic->wavelength : speed_of(of) * body::length_of(*of.body);
@@ -135,10 +166,13 @@ void refuse_senseless(const Case& of) {
         fmt::format("initial.kind is \"{}\"; that fills the plane, and has no place for a "
                     "[body]",
                     of.initial->kind->name));
+}
+
+void refuse_rest(const Case& of) {
   if (of.body && !of.initial && speed_of(of) == 0)
     throw Refused("flow",
-                  "nothing moves: a body needs a flow.stream, a [plunge], a motion.spin or "
-                  "[initial] vorticity");
+                  "nothing moves: a body needs a flow.stream, a [plunge], a [motion] or [initial] "
+                  "vorticity");
 }
 
 body::Bodies bodies_of(const Case& of) {
@@ -157,13 +191,19 @@ double speed_of_stream(const Case& of) {
 }
 
 double speed_of(const Case& of) {
-  for (const double speed : {speed_of_stream(of), fastest_plunge(of)})
+  for (const double speed : {speed_of_stream(of), fastest_travel(of)})
     if (speed > 0) return speed;
-  return spinning_wall(of);
+  return fastest_turn(of);
 }
 
 double fastest_of(const Case& of) {
-  return std::hypot(speed_of_stream(of), fastest_plunge(of)) + spinning_wall(of);
+  return std::hypot(speed_of_stream(of), fastest_travel(of)) + fastest_turn(of);
+}
+
+double period_of(const Case& of) {
+  const double plunge = of.plunge ? 1 / of.plunge->frequency : INFINITY;
+  if (!of.motion) return plunge;
+  return std::min(plunge, std::max(FastestMoves(of.motion->course).period(), of.time.end / 50));
 }
 
 }  // namespace vortree::flow

@@ -47,12 +47,15 @@ void choose_viscosity(Case& of, const Written& written);
 void complete_times(Case& of);
 
 /// throws  Refused for what every number by itself may be, but nobody can mean: a motion without a
-///         body, a shape that cannot move so, a direction [0, 0], a body at rest in fluid at rest,
-///         a body in an initial flow that fills the plane
+///         body, a shape that cannot move so, a direction [0, 0], a body in an initial flow that
+///         fills the plane
 void refuse_senseless(const Case& of);
 
+/// throws  Refused for a body at rest in fluid at rest. The course of its motion must be there.
+void refuse_rest(const Case& of);
+
 /// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
-/// greatest of the plunge; without both that of a wall that spins; 0 without any.
+/// greatest of the body's centre; without both that of a wall that turns; 0 without any.
 [[nodiscard]] double speed_of(const Case& of);
 [[nodiscard]] double speed_of_stream(const Case& of);
 
@@ -64,5 +67,10 @@ void refuse_senseless(const Case& of);
 
 /// The fastest that a body and its stream meet, or a little more.
 [[nodiscard]] double fastest_of(const Case& of);
+
+/// The period of a plunge, or of the cosine that has the greatest velocity and acceleration of a
+/// motion, or rate and spin-up, but no less than a fiftieth of the run: what bends at once has no
+/// period. Infinity at rest and at a steady rate.
+[[nodiscard]] double period_of(const Case& of);
 
 }  // namespace vortree::flow

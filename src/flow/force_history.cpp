@@ -10,20 +10,20 @@ namespace {
 
 /// Times, the fluid's impulse and what the pressure has given a body since the first of some
 /// forces.
-struct Course {
+struct Lately {
   std::vector<double> t;
   std::vector<Vec2> impulses, given;
 };
 
-Course course_of(std::span<const Force> forces) {
-  Course course;
+Lately lately(std::span<const Force> forces) {
+  Lately late;
   for (const Force& f : forces) {
-    course.given.push_back(
-        course.t.empty() ? Vec2{} : course.given.back() + (f.t - course.t.back()) * f.pressure);
-    course.t.push_back(f.t);
-    course.impulses.push_back(f.impulse);
+    late.given.push_back(late.t.empty() ? Vec2{}
+                                        : late.given.back() + (f.t - late.t.back()) * f.pressure);
+    late.t.push_back(f.t);
+    late.impulses.push_back(f.impulse);
   }
-  return course;
+  return late;
 }
 
 Measures coefficients(Vec2 by_impulse, Vec2 by_wall, const Scales& scales) {
@@ -34,10 +34,10 @@ Measures coefficients(Vec2 by_impulse, Vec2 by_wall, const Scales& scales) {
           {"cl_wall", "", unit * dot(by_wall, scales.across())}};
 }
 
-Measures coefficients(const Force& at, const Course& course, const RateOfChange& rate,
+Measures coefficients(const Force& at, const Lately& late, const RateOfChange& rate,
                       const Scales& scales) {
-  return coefficients(-1 * rate(course.impulses) + at.frame,
-                      rate(course.given) + at.friction + at.frame, scales);
+  return coefficients(-1 * rate(late.impulses) + at.frame,
+                      rate(late.given) + at.friction + at.frame, scales);
 }
 
 /// Every number of a force with its name in a saved state.
@@ -62,13 +62,13 @@ void ForceHistory::add(const Force& force) {
 
 Measures ForceHistory::of_last_but_one() const {
   const auto three = std::span(recent_).last(3);
-  return coefficients(three[1], course_of(three),
+  return coefficients(three[1], lately(three),
                       RateOfChange::in_the_middle(three[0].t, three[1].t, three[2].t), scales_);
 }
 
 Measures ForceHistory::of_last() const {
-  const Course course = course_of(recent_);
-  return coefficients(recent_.back(), course, RateOfChange::at_the_end(course.t, scales_.impulsive),
+  const Lately late = lately(recent_);
+  return coefficients(recent_.back(), late, RateOfChange::at_the_end(late.t, scales_.impulsive),
                       scales_);
 }
 

@@ -3,6 +3,18 @@
 #include "body/extent.hpp"
 
 namespace vortree::flow {
+namespace {
+
+/// Along which drag points in fluid at rest: the way of a plunge; else against the fastest motion.
+Vec2 way_of(const body::Motion& motion) {
+  if (motion.plunge.frequency > 0) return motion.plunge.amplitude;
+  Vec2 fastest;
+  for (const double t : motion.course.times())
+    if (const Vec2 v = motion.course.at(t).velocity; dot(v, v) > dot(fastest, fastest)) fastest = v;
+  return -1 * fastest;
+}
+
+}  // namespace
 
 Scales scales_of(const Case& of) {
   Scales scales;
@@ -11,12 +23,13 @@ Scales scales_of(const Case& of) {
   if (const double speed = speed_of(of); speed > 0) scales.speed = speed;
   if (const auto initial = periodic_flow_of(of))
     scales.length = initial->wavelength, scales.speed = initial->speed;
-  const bool stream = speed_of_stream(of) > 0;
-  if (stream || of.plunge) {
-    const auto [x, y] = stream ? of.flow.stream : of.plunge->direction;
-    scales.along = unit(Vec2{x, y});
-  }
-  scales.impulsive = stream || (of.motion && of.motion->spin != 0);
+  const auto [u, v] = of.flow.stream;
+  const body::Motion motion = body::motion_of(of.plunge, of.motion);
+  if (const Vec2 way = u != 0 || v != 0 ? Vec2{u, v} : way_of(motion); dot(way, way) > 0)
+    scales.along = unit(way);
+  const body::Kinematics first = motion.at(0);
+  scales.impulsive =
+      speed_of_stream(of) > 0 || dot(first.velocity, first.velocity) > 0 || first.rate != 0;
   return scales;
 }
 

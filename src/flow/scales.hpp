@@ -10,7 +10,8 @@ namespace vortree::flow {
 /// plane. Without a body, or without both, they are 1.
 ///
 /// body       there is one
-/// along      where drag points to: down the stream; without one, the way of the motion, or x
+/// along      where drag points to: down the stream; without one, the way of a plunge, or against
+///            the fastest motion; else x
 /// impulsive  the body starts in a fluid that does not yet know of it
 struct Scales {
   bool body = false;

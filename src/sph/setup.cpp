@@ -161,7 +161,7 @@ SphSetup setup_of(const SphCase& scene) {
   const body::Bodies bodies = flow::bodies_of(scene);
   const body::Body& body = bodies.front();
   const double perimeter = body.shape->perimeter();
-  setup.ambient.plunge = body.motion.plunge, setup.ambient.spin = body.motion.spin;
+  setup.ambient.motion = body.motion, setup.motion_period = flow::period_of(scene);
   setup.shape = body.shape;
   setup.area = area_of(*body.shape);
   setup.initial = scene.initial;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -34,6 +35,7 @@ struct SphSetup {
   Confines confines;
   OperatorOptions operators;
   double wall_spacing = 0;
+  double motion_period = INFINITY;  ///< of the body (flow/case.hpp)
   bool far_field = true;
   double shift = 6, courant = 0.3, tolerance = 1e-5, dt = 0;
   std::uint64_t seed = 1;

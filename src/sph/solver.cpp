@@ -30,7 +30,7 @@ const std::string settings_to_blame =
 SphSolver::SphSolver(SphSetup setup)
     : setup_(std::move(setup)),
       far_field_(setup_.box, edge_share * std::min(setup_.box.size().x, setup_.box.size().y),
-                 setup_.ambient.spin.circulation(setup_.area),
+                 2 * setup_.ambient.motion.spin.rate * setup_.area,
                  faintest_vortex * setup_.scales.speed * setup_.scales.length) {
   start();
 }
@@ -44,7 +44,7 @@ void SphSolver::start() {
   look();
   force_ = {.t = 0,
             .impulse = far_field_.impulse(),
-            .frame = setup_.area * setup_.ambient.plunge.acceleration(0)};
+            .frame = setup_.area * setup_.ambient.motion.at(0).acceleration};
   measure();
 }
 
@@ -86,7 +86,7 @@ void SphSolver::look_at_wall() {
     }
   if (substeps_ > 0) return;
   // The wall still slips: its vorticity is a sheet.
-  far_field_.add_sheet(cloud_, setup_.ambient.spin.rate);
+  far_field_.add_sheet(cloud_, setup_.ambient.motion.spin.rate);
   wall_vorticity_.clear();
 }
 
@@ -117,14 +117,14 @@ void SphSolver::step(const tree::Phase& phase) {
   ++steps_;
   phase("output");
   const double took = end - begin;
-  const double memory = memory_of_pressure(end, setup_.scales.length / setup_.scales.speed,
-                                           setup_.ambient.plunge.frequency);
+  const double memory =
+      memory_of_pressure(end, setup_.scales.length / setup_.scales.speed, 1 / setup_.motion_period);
   force_ = {.t = end,
             .impulse = force_.impulse - given.by_vorticity - given.friction,
             .pressure = smooth_pressure_(1 / took * given.pressure, 1 / took * given.by_vorticity,
                                          took, memory),
             .friction = before.friction,
-            .frame = setup_.area * setup_.ambient.plunge.acceleration(end)};
+            .frame = setup_.area * setup_.ambient.motion.at(end).acceleration};
   measure();
 }
 
@@ -220,7 +220,7 @@ SphSolver::Traction SphSolver::traction() const {
   }
   if (!wall_vorticity_.empty())
     sum.by_vorticity = by_vorticity_(far_field_, wall_vorticity_, setup_.ambient.nu,
-                                     setup_.ambient.plunge.acceleration(time_));
+                                     setup_.ambient.motion.at(time_).acceleration);
   return sum;
 }
 

@@ -59,8 +59,8 @@ void SphSolver::measure_past_body() {
   volume += box.x * box.y;
   const Vec2 moment = far_field_.impulse();
   const Ambient& ambient = setup_.ambient;
-  const bool wake = dot(ambient.steady, ambient.steady) > 0 && ambient.plunge.frequency == 0 &&
-                    ambient.spin.rate == 0 && steps_ > 0;
+  const bool wake =
+      dot(ambient.steady, ambient.steady) > 0 && !ambient.motion.moves() && steps_ > 0;
   measures_ = {{"particles", "", static_cast<double>(cloud_.size())},
                {"circulation", "L^2/T", circulation},
                {"impulse_x", "L^3/T", moment.x},

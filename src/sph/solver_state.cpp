@@ -70,7 +70,7 @@ void SphSolver::restore(long steps, const flow::Columns& columns, const flow::St
             .impulse = saved_pair("impulse_given"),
             .pressure = saved_pair("mean_pressure_force"),
             .friction = saved_pair("friction"),
-            .frame = setup_.area * setup_.ambient.plunge.acceleration(time())};
+            .frame = setup_.area * setup_.ambient.motion.at(time()).acceleration};
   measure();
 }
 

@@ -45,6 +45,13 @@ Blobs initial_blobs(const VortexCase& scene) {
   return cut({vec(i.centre) - origin_of(scene).start, sigma_0, i.spacing * sigma_0, i.faintest}, i);
 }
 
+/// In the axes of a body that is turned as the flow begins. (Initial blobs are round.)
+Blobs turned(Blobs blobs, const Turn& turn) {
+  for (std::size_t k = 0; k < blobs.size(); ++k)
+    blobs.put(k, turn(blobs.centre(k)), blobs.gamma[k], blobs.core(k));
+  return blobs;
+}
+
 /// Those outside of a body.
 Blobs outside(const body::Shape& shape, const Blobs& all) {
   Blobs kept;
@@ -62,14 +69,14 @@ Setup setup_of(const VortexCase& scene) {
   const body::Motion motion = bodies.empty() ? body::Motion{} : bodies.front().motion;
   if (!bodies.empty())
     made.wall = std::make_unique<Wall>(bodies.front().shape, bodies.front().panels);
-  made.blobs = initial_blobs(scene);
+  if (motion.turns()) made.turning = std::make_unique<Turning>(*made.wall);
+  made.blobs = turned(initial_blobs(scene), Turn(-motion.at(0).angle));
   if (!bodies.empty()) made.blobs = outside(*bodies.front().shape, made.blobs);
   made.scales = scales;
   made.origin = origin_of(scene);
   made.box = box_of(scene.merging);
   made.problem = {
-      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu, motion.plunge,
-               motion.spin},
+      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu, motion},
       .dt = scene.time.dt,
       .scheme = scene.time.scheme,
       .advecting_cores = scene.velocity.cores == PairCores::both ? std::numbers::sqrt2 : 1,

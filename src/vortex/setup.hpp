@@ -22,13 +22,15 @@ struct Origin {
 /// A flow at t = 0, before any wall has released its sheet, and how it will be followed.
 ///
 /// wall     none in free space; `problem` points at it. It, the problem and the blobs are as seen
-///          from `origin`
+///          from `origin`, in the axes of the body
+/// turning  of a body that turns
 /// box      in the scene: blobs that leave it are taken away
 /// held_blobs        more the machine's memory does not hold
 /// crowding          how many times the usual number of blobs mergers will leave
 /// splits_endlessly  children are too wide to merge
 struct Setup {
   std::unique_ptr<Wall> wall{};
+  std::unique_ptr<Turning> turning{};
   Problem problem;
   Blobs blobs{};
   flow::Scales scales{};

@@ -15,10 +15,17 @@
 namespace vortree::vortex {
 namespace {
 
-std::vector<double> moved(std::vector<double> column, double by) {
+void move(std::vector<double>& column, double by) {
   if (by != 0)
     for (double& value : column) value += by;
-  return column;
+}
+
+void turn(std::vector<double>& x, std::vector<double>& y, const Turn& turn) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Vec2 to = turn({x[i], y[i]});
+    x[i] = to.x;
+    y[i] = to.y;
+  }
 }
 
 double strength(const Blobs& blobs) {
@@ -69,17 +76,33 @@ void restore_numbers(const flow::State& state, const auto& numbers, auto& of) {
 VortexSolver::VortexSolver(Setup setup)
     : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
   setup_.problem.wall = wall();
+  setup_.problem.turning = setup_.turning.get();
   setup_.problem.box = box_at(0);
   take(start(blobs_, setup_.problem));
   second_moment_at_start_ = flow::measured(measures_, "second_moment");
   drift_ = drift_now();
 }
 
+void VortexSolver::to_scene(std::vector<double>& x, std::vector<double>& y, Vec2 by) const {
+  if (turns()) turn(x, y, axes_at(time()));
+  move(x, by.x), move(y, by.y);
+}
+
+void VortexSolver::from_scene(std::vector<double>& x, std::vector<double>& y, Vec2 by) const {
+  move(x, -by.x), move(y, -by.y);
+  if (turns()) turn(x, y, Turn(-setup_.problem.flow.motion.at(time()).angle));
+}
+
+/// What turns places and velocities as they are computed into those of the scene.
+Turn VortexSolver::axes_at(double time) const {
+  return Turn(setup_.problem.flow.motion.at(time).angle);
+}
+
 /// The box as the blobs are seen.
 std::optional<Box> VortexSolver::box_at(double time) const {
   if (!setup_.box) return std::nullopt;
   const Vec2 origin = setup_.origin.at(time);
-  return Box{setup_.box->low - origin, setup_.box->high - origin};
+  return Box{setup_.box->low - origin, setup_.box->high - origin, axes_at(time)};
 }
 
 /// What a step has left becomes the flow as it is.
@@ -123,18 +146,20 @@ void VortexSolver::step(const tree::Phase& phase) {
 }
 
 flow::Columns VortexSolver::columns() const {
-  const Velocities u = velocity_at({blobs_.x, blobs_.y}, blobs_, setup_.problem);
-  const Vec2 from = origin(), drift = setup_.origin.drift;
-  return {{"x", "L", moved(blobs_.x, from.x)}, {"y", "L", moved(blobs_.y, from.y)},
-          {"gamma", "L^2/T", blobs_.gamma},    {"sigma", "L", blobs_.sigma},
-          {"u", "L/T", moved(u.u, drift.x)},   {"v", "L/T", moved(u.v, drift.y)}};
+  Velocities u = velocity_at({blobs_.x, blobs_.y}, blobs_, setup_.problem);
+  std::vector<double> x = blobs_.x, y = blobs_.y;
+  to_scene(x, y, origin());
+  to_scene(u.u, u.v, setup_.origin.drift);
+  return {{"x", "L", std::move(x)},         {"y", "L", std::move(y)},
+          {"gamma", "L^2/T", blobs_.gamma}, {"sigma", "L", blobs_.sigma},
+          {"u", "L/T", std::move(u.u)},     {"v", "L/T", std::move(u.v)}};
 }
 
 flow::Measures VortexSolver::measure() const {
   const Invariants now = invariants(blobs_, shape());
   const Flow& flow = setup_.problem.flow;
   double circulation = now.circulation + wake_.outflow.gamma;
-  if (flow.spin.rate != 0) circulation += flow.spin.circulation(wall()->area());
+  if (setup_.turning) circulation += flow.motion.at(time()).rate * setup_.turning->circulation;
   Vec2 moment = wall() ? wake_.moment : now.moment + wake_.outflow.moment;
   // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
   const Vec2 from = wall() ? Vec2{} : origin();
@@ -142,8 +167,7 @@ flow::Measures VortexSolver::measure() const {
   if (elsewhere) moment = moment + circulation * from;
   const Moments moments = wall() ? Moments{} : vortex::moments(blobs_);
   const Vec2 plus = wall() ? Vec2{} : moments.positive_centre;
-  const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && flow.plunge.frequency == 0 &&
-                    flow.spin.rate == 0;
+  const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && !flow.motion.moves();
   return {
       {"blobs", "", static_cast<double>(blobs_.size())},
       {"circulation", "L^2/T", circulation},
@@ -169,7 +193,14 @@ std::optional<flow::Force> VortexSolver::force() const {
                      .impulse = {moment.y, -moment.x},
                      .pressure = wake_.pressure,
                      .friction = wake_.friction,
-                     .frame = wall()->area() * setup_.problem.flow.plunge.acceleration(time())};
+                     .frame = wall()->area() * acceleration_of_centroid()};
+}
+
+Vec2 VortexSolver::acceleration_of_centroid() const {
+  const body::Kinematics now = setup_.problem.flow.motion.at(time());
+  if (!setup_.turning) return now.acceleration;
+  const Vec2 arm = Turn(now.angle)(1 / setup_.turning->circulation * setup_.turning->moment);
+  return now.acceleration + now.spin_up * left_of(arm) - now.rate * now.rate * arm;
 }
 
 double VortexSolver::drift_now() const {
@@ -181,15 +212,15 @@ double VortexSolver::drift_now() const {
 }
 
 flow::Samples VortexSolver::sample(tree::Points at) const {
-  const Vec2 from = origin(), drift = setup_.origin.drift;
-  const std::vector<double> x = moved({at.x.begin(), at.x.end()}, -from.x),
-                            y = moved({at.y.begin(), at.y.end()}, -from.y);
+  std::vector<double> x(at.x.begin(), at.x.end()), y(at.y.begin(), at.y.end());
+  from_scene(x, y, origin());
   Velocities u = velocity_at({x, y}, blobs_, setup_.problem);
   std::vector<double> omega(x.size());
   vorticity(blobs_, shape(), {x, y}, omega);
   for (std::size_t k = 0; wall() && k < x.size(); ++k)
     if (shape()->nearest({x[k], y[k]}).distance < 0) u.u[k] = u.v[k] = 0;
-  return {moved(std::move(u.u), drift.x), moved(std::move(u.v), drift.y), std::move(omega)};
+  to_scene(u.u, u.v, setup_.origin.drift);
+  return {std::move(u.u), std::move(u.v), std::move(omega)};
 }
 
 flow::FrameTable VortexSolver::frame_table() const {
@@ -208,8 +239,9 @@ std::vector<double> VortexSolver::frame_rows() const {
   if (steps_ == 0) return {};  // the wall vorticity of an impulsive start is infinite
   const double T = setup_.scales.T(t);
   const Vec2 s = setup_.scales.along;
+  const Turn axes = axes_at(t);
   for (std::size_t i = 0; i < wall()->panels(); ++i) {
-    const Vec2 d = wall()->middle(i);
+    const Vec2 d = axes(wall()->middle(i));
     const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
     rows.insert(rows.end(), {t, T, angle, wake_.wall_vorticity[i], wake_.sheet[i]});
   }
@@ -235,7 +267,7 @@ flow::Closing VortexSolver::closing() const {
 }
 
 void VortexSolver::save(flow::State& state) const {
-  if (const Vec2 from = origin(); dot(from, from) > 0) {
+  if (told_elsewhere()) {
     state["x_in_flow"] = blobs_.x;
     state["y_in_flow"] = blobs_.y;
   }
@@ -266,7 +298,7 @@ void VortexSolver::restore(long steps, const flow::Columns& columns, const flow:
   steps_ = steps;
   Problem& problem = setup_.problem;
   problem.time = time_of(steps);
-  const bool elsewhere = dot(origin(), origin()) > 0;
+  const bool elsewhere = told_elsewhere();
   blobs_ = {elsewhere ? flow::saved(state, "x_in_flow") : flow::column(columns, "x"),
             elsewhere ? flow::saved(state, "y_in_flow") : flow::column(columns, "y"),
             flow::column(columns, "gamma"), flow::column(columns, "sigma")};

@@ -47,6 +47,14 @@ class VortexSolver final : public flow::Solver {
   const Wall* wall() const { return setup_.wall.get(); }
   const body::Shape* shape() const { return wall() ? &wall()->shape() : nullptr; }
   Vec2 origin() const { return setup_.origin.at(time()); }
+  Turn axes_at(double time) const;
+  /// Vectors as they are computed become those of the scene, moved by `by`, or the other way round.
+  void to_scene(std::vector<double>& x, std::vector<double>& y, Vec2 by) const;
+  void from_scene(std::vector<double>& x, std::vector<double>& y, Vec2 by) const;
+  bool turns() const { return setup_.problem.flow.motion.turns(); }
+  /// The scene's places are not, bit by bit, those of the blobs.
+  bool told_elsewhere() const { return dot(origin(), origin()) > 0 || turns(); }
+  Vec2 acceleration_of_centroid() const;
   std::optional<Box> box_at(double time) const;
   double time_of(long step) const { return static_cast<double>(step) * setup_.problem.dt; }
   flow::Measures measure() const;

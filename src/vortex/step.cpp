@@ -31,20 +31,34 @@ void add_stream(Velocities& u, Vec2 stream) {
   for (double& a : u.v) a += stream.y;
 }
 
-/// Circulation of the body itself, and what it moves.
-double of_body(const Problem& p) {
-  return p.flow.spin.rate == 0 ? 0 : p.flow.spin.circulation(p.wall->area());
+/// What surrounds the blobs at one time: the stream, and how fast the body turns.
+struct Around {
+  Vec2 stream;
+  double rate;
+
+  Around(const Problem& p, double time)
+      : stream(p.flow.stream_at(time)), rate(p.turning ? p.flow.motion.at(time).rate : 0) {}
+
+  double of_body(const Problem& p) const { return p.turning ? rate * p.turning->circulation : 0; }
+};
+
+void add(std::vector<double>& sum, double weight, std::span<const double> of) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * of[i];
 }
 
-/// The velocity of a body that spins, as a vortex at its centre has it.
-void add_body(Velocities& u, tree::Points at, double circulation) {
-  if (circulation == 0) return;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const Vec2 d{at.x[k], at.y[k]};
-    const double turn = circulation / (2 * std::numbers::pi * dot(d, d));
-    u.u[k] -= turn * d.y;
-    u.v[k] += turn * d.x;
-  }
+/// The slip at the wall of all that moves fluid but the sheet.
+std::vector<double> slip_of(const Blobs& blobs, const FoldedBlobs& at, const Velocities& at_samples,
+                            const Problem& p, const Around& around) {
+  std::vector<double> slip = p.wall->slip(around.stream, at_samples, at, blobs.gamma);
+  if (p.turning) add(slip, around.rate, p.turning->slip);
+  return slip;
+}
+
+/// The sheet that moves fluid, and with it that of a body which turns.
+std::vector<double> with_turning(std::vector<double> sheet, const Problem& p,
+                                 const Around& around) {
+  if (p.turning) add(sheet, around.rate, p.turning->sheet);
+  return sheet;
 }
 
 Blobs felt(const Problem& p) {
@@ -65,8 +79,8 @@ Blobs with_drifting(const Blobs& blobs, const Problem& p) {
 
 /// Of all sheets, that which leaves no circulation in fluid and body together. `all` has those that
 /// drift, too.
-double sheet_circulation(const Blobs& all, const Problem& p) {
-  return -total(all.gamma) - (p.outflow.gamma - total(felt(p).gamma)) - of_body(p);
+double sheet_circulation(const Blobs& all, const Problem& p, const Around& around) {
+  return -total(all.gamma) - (p.outflow.gamma - total(felt(p).gamma)) - around.of_body(p);
 }
 
 fmm::Sources as_sources(const Blobs& blobs, const FoldedBlobs& at) {
@@ -82,7 +96,8 @@ fmm::Options at_points(fmm::Options sums) {
 /// Velocity of the blobs at their folded centroids, with stream and wall; and its gradient, if
 /// wanted, without the sheet's.
 Velocities advecting_velocity(const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
-                              Vec2 stream, Gradients* gradients) {
+                              double time, Gradients* gradients) {
+  const Around around(p, time);
   Velocities u(blobs.size());
   Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
   FoldedBlobs advecting = at;
@@ -98,12 +113,12 @@ Velocities advecting_velocity(const Blobs& blobs, const FoldedBlobs& at, const P
     plan.velocity(u.u, u.v);
   }
   plan.velocity_bare(samples, at_samples.u, at_samples.v);
-  add_stream(u, stream);
+  add_stream(u, around.stream);
   if (p.wall) {
-    const auto slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
-    const auto sheet = p.wall->sheet(slip, sheet_circulation(blobs, p));
-    p.wall->add_velocity(sheet, at_points(p.sums), {at.x, at.y}, u, at.wall);
-    add_body(u, {at.x, at.y}, of_body(p));
+    const auto slip = slip_of(blobs, at, at_samples, p, around);
+    const auto sheet = p.wall->sheet(slip, sheet_circulation(blobs, p, around));
+    p.wall->add_velocity(with_turning(sheet, p, around), at_points(p.sums), {at.x, at.y}, u,
+                         at.wall);
   }
   return u;
 }
@@ -117,17 +132,17 @@ struct AtRest {
 /// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
 /// blobs and sheet together.
 AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
-                  Vec2 stream) {
+                  double time) {
+  const Around around(p, time);
   AtRest result{{}, {}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
   const fmm::Plan plan(as_sources(blobs, at), at_points(p.sums));
   plan.velocity_bare(p.wall->samples(), at_samples.u, at_samples.v);
   plan.velocity(fmm::Targets{points.x, points.y, {}}, result.u.u, result.u.v);
-  result.slip = p.wall->slip(stream, at_samples, at, blobs.gamma);
-  result.sheet = p.wall->sheet(result.slip, sheet_circulation(blobs, p));
-  add_stream(result.u, stream);
-  p.wall->add_velocity(result.sheet, at_points(p.sums), points, result.u);
-  add_body(result.u, points, of_body(p));
+  result.slip = slip_of(blobs, at, at_samples, p, around);
+  result.sheet = p.wall->sheet(result.slip, sheet_circulation(blobs, p, around));
+  add_stream(result.u, around.stream);
+  p.wall->add_velocity(with_turning(result.sheet, p, around), at_points(p.sums), points, result.u);
   return result;
 }
 
@@ -183,6 +198,23 @@ std::vector<double> as_released(const AtRest& at_rest, const Problem& p, double 
   return sheet;
 }
 
+/// What a body that turns has to do with impulse and pressure in the step that ends at `time`, all
+/// told in axes that do not turn. Its wall is driven by pressure beyond what the frame is, and the
+/// frame's own share (Flow::motion) is that of the body's centroid, not of its centre.
+void add_turning(Wake& wake, const Problem& p, double time) {
+  const body::Kinematics now = p.flow.motion.at(time), before = p.flow.motion.at(time - p.dt),
+                         between = p.flow.motion.at(time - p.dt / 2);
+  const Vec2 arm = 0.5 * p.turning->moment;  // of the centroid, times the area
+  const Turn turn(now.angle);
+  const std::vector<double> driven =
+      gained_along_wall(*p.wall, now.rate - before.rate, between.rate, p.dt);
+  wake.pressure =
+      Turn(between.angle)(wake.pressure + pressure_force(driven, *p.wall, p.dt)) -
+      1 / p.dt * (now.rate * turn(left_of(arm)) - before.rate * Turn(before.angle)(left_of(arm)));
+  wake.moment = turn(wake.moment + now.rate * p.turning->moment);
+  wake.friction = turn(wake.friction);
+}
+
 /// `impulsive`: the slip has come about at once, and so has the sheet, on the wall.
 ///
 /// found  wall points nearest to the blobs' centres
@@ -191,11 +223,11 @@ Wake cancel_slip(Blobs& blobs, const WallPoints& found, const Problem& p, double
   const Blobs all = with_drifting(blobs, p);
   const FoldedBlobs at = fold(all, &p.wall->shape(), found);
   Wake wake;
-  const bool stream = dot(p.flow.stream, p.flow.stream) > 0;
+  const bool stream = dot(p.flow.stream, p.flow.stream) > 0 && !p.flow.motion.moves();
   const flow::WakeLine line =
       stream ? flow::wake_line(p.wall->middles(), p.wall->shape(), p.flow.stream)
              : flow::WakeLine{};
-  const AtRest at_rest = with_sheet(line.points(), all, at, p, p.flow.stream_at(time));
+  const AtRest at_rest = with_sheet(line.points(), all, at, p, time);
   wake.sheet = impulsive ? at_rest.sheet : as_released(at_rest, p, core);
   const Blobs fresh = released(wake.sheet, *p.wall, core);
   wake.bubble_length = flow::bubble_length(line, at_rest.u.u, at_rest.u.v);
@@ -206,6 +238,7 @@ Wake cancel_slip(Blobs& blobs, const WallPoints& found, const Problem& p, double
   wake.wall_vorticity = std::move(shear.vorticity);
   wake.friction = shear.friction;
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
+  if (p.turning) add_turning(wake, p, time);
   append(blobs, fresh);
   return wake;
 }
@@ -274,6 +307,12 @@ Wake start(Blobs& blobs, const Problem& p) {
 
 namespace {
 
+/// How the axes of the body turn in a step.
+TurningAxes turning_axes(const Problem& p) {
+  if (!p.flow.motion.turns()) return {};
+  return [&p](double after) { return p.flow.turned(p.time, after); };
+}
+
 /// Carries all for a step. Those that drift go with the stream alone; what the others would have
 /// carried them beyond it belongs to the moment of what has left all the same: so much do they
 /// carry the others and the sheet the other way, and that is no force on the body.
@@ -287,22 +326,25 @@ WallPoints carry(Blobs& blobs, Problem& p, const body::Shape* shape, bool strain
   const Blobs drifting = felt(p);
   append(blobs, drifting);
   const auto velocity = [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* g) {
-    return advecting_velocity(b, at, p, p.flow.stream_at(p.time + after), g);
+    return advecting_velocity(b, at, p, p.time + after, g);
   };
-  WallPoints to = convect(blobs, velocity, shape, p.scheme, p.dt, strains, found);
+  WallPoints to = convect(blobs, velocity, shape, p.scheme, p.dt, strains, found, turning_axes(p));
+  const Turn turn(-p.flow.turned(p.time, p.dt));
+  p.outflow.moment = turn(p.outflow.moment);
   for (std::size_t i = 0; i < drifting.size(); ++i)
-    p.outflow.moment += drifting.gamma[i] * (blobs.centre(inside + i) - drifting.centre(i) - way);
+    p.outflow.moment +=
+        drifting.gamma[i] * (blobs.centre(inside + i) - turn(drifting.centre(i)) - way);
   blobs.resize(inside);
   p.outflow.drift(way);
-  if (p.box) drift(p.drifting, way, 4 * p.flow.nu * p.dt, *p.box);
+  if (p.box) drift(p.drifting, way, 4 * p.flow.nu * p.dt, *p.box, turn);
   return to;
 }
 
 /// Carries all of free space for a step, and strains their cores.
 void carry_strained(Blobs& blobs, const Problem& p) {
   const auto velocity = [&](const Blobs& parts, double after, Gradients& gradients) {
-    return advecting_velocity(parts, {parts.x, parts.y, parts.sigma}, p,
-                              p.flow.stream_at(p.time + after), &gradients);
+    return advecting_velocity(parts, {parts.x, parts.y, parts.sigma}, p, p.time + after,
+                              &gradients);
   };
   convect_strained(blobs, velocity, p.scheme, p.dt);
 }
@@ -389,15 +431,14 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
 }
 
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p) {
-  const Vec2 stream = p.flow.stream_at(p.time);
   const Blobs all = with_drifting(blobs, p);
   const FoldedBlobs at = fold(all, p.wall ? &p.wall->shape() : nullptr);
-  if (p.wall) return with_sheet(points, all, at, p, stream).u;
+  if (p.wall) return with_sheet(points, all, at, p, p.time).u;
   Velocities u(points.size());
   const Blobs parts = Halves(all).parts;
   fmm::Plan({parts.x, parts.y, parts.gamma, parts.sigma}, at_points(p.sums))
       .velocity(fmm::Targets{points.x, points.y, {}}, u.u, u.v);
-  add_stream(u, stream);
+  add_stream(u, p.flow.stream_at(p.time));
   return u;
 }
 

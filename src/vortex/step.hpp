@@ -14,23 +14,31 @@
 #include "vortex/blobs/outflow.hpp"
 #include "vortex/transport/convect.hpp"
 #include "vortex/transport/diffusion.hpp"
+#include "vortex/wall/turning.hpp"
 #include "vortex/wall/wall.hpp"
 
 namespace vortree::vortex {
 
 /// stream  undisturbed velocity [m/s]; nu viscosity [m^2/s], 0: no diffusion, splitting or merging
-/// plunge  of the body, in whose frame all is computed: positions, velocities, impulse
-/// spin    of a circle about its centre, which then is the origin
+/// motion  of the body, in whose frame and axes, which turn with it, all is computed: positions,
+///         velocities
 struct Flow {
   Vec2 stream;
   double nu;
-  body::Plunge plunge{};
-  body::Spin spin{};
+  body::Motion motion{};
 
-  /// The stream as the body sees it, and how far that goes in a time dt.
-  Vec2 stream_at(double t) const { return stream - plunge.velocity(t); }
+  /// The stream as the body sees it, and how far that goes in a time dt, in the axes at its end.
+  Vec2 stream_at(double t) const {
+    const body::Kinematics now = motion.at(t);
+    return Turn(-now.angle)(stream - now.velocity);
+  }
   Vec2 way(double t, double dt) const {
-    return dt * stream + plunge.place(t) - plunge.place(t + dt);
+    const body::Kinematics later = motion.at(t + dt);
+    return Turn(-later.angle)(dt * stream + motion.at(t).place - later.place);
+  }
+  /// By how much the axes turn in a time dt.
+  double turned(double t, double dt) const {
+    return motion.turns() ? motion.at(t + dt).angle - motion.at(t).angle : 0;
   }
 };
 
@@ -42,6 +50,7 @@ struct Flow {
 /// drifting  beside a wall those that have left the box and are still felt, by wall and blobs; the
 ///           body may feel as much as `unfelt` of a merger of them [m/s]
 /// wall      nullptr: free space
+/// turning   of a body that turns, else nullptr
 /// most_blobs  a step that leaves more of them, or a substep, throws Multiplied
 /// advecting_cores  of a blob's core, that with which it advects others: 1, or sqrt(2), which in
 ///           the mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
@@ -70,14 +79,16 @@ struct Problem {
   Drifting drifting{};
   double unfelt = 1e-5;
   const Wall* wall = nullptr;
+  const Turning* turning = nullptr;
   fmm::Options sums;
 };
 
-/// What one step leaves beside the blobs; but for `outflow`, empty without a wall.
+/// What one step leaves beside the blobs; but for `outflow`, empty without a wall. Vectors are told
+/// in axes that do not turn.
 ///
 /// sheet           released at the end of the step [m/s], a value a panel
-/// moment          sum gamma X of blobs, released sheet and what has left; forces are its rate of
-///                 change
+/// moment          sum gamma X of blobs, released sheet, what has left, and a body that turns;
+///                 forces are its rate of change
 /// wall_vorticity  a value a panel [1/s]
 /// pressure        force on the body during the step, in its own frame, per unit density
 ///                 [m^3/s^2] (motion.hpp)

@@ -71,7 +71,7 @@ double added_mass(std::unique_ptr<body::Shape> shape, Vec2 along) {
 }  // namespace
 
 TEST_CASE("the stream that a body sees is that of its velocity, and adds up to its way") {
-  const Flow flow{{1, 0.2}, 0.01, {{0.1, 0.3}, 0.7}};
+  const Flow flow{{1, 0.2}, 0.01, {{{0.1, 0.3}, 0.7}}};
   Vec2 way;
   const int parts = 2000;
   for (int k = 0; k < parts; ++k)
@@ -80,7 +80,7 @@ TEST_CASE("the stream that a body sees is that of its velocity, and adds up to i
   CHECK(std::hypot(off.x, off.y) < 1e-6);
   const double h = 1e-5;
   const Vec2 rate = 1 / (2 * h) * (flow.stream_at(1 + h) - flow.stream_at(1 - h));
-  CHECK(rate.y == Approx(-flow.plunge.acceleration(1).y).epsilon(1e-8));
+  CHECK(rate.y == Approx(-flow.motion.at(1).acceleration.y).epsilon(1e-8));
 }
 
 TEST_CASE("areas of bodies") {
@@ -110,7 +110,7 @@ std::pair<double, double> off_stokes(int panels, int period, double core) {
   const auto velocity = fmm::Options{.tolerance = 1e-4, .cores = fmm::Cores::mean};
   const Plunge plunge{{amplitude, 0}, frequency};
   const Forces f =
-      forces(problem_of(wall, velocity, {{}, nu, plunge}, 1.0 / period, core), 2 * period);
+      forces(problem_of(wall, velocity, {{}, nu, {plunge}}, 1.0 / period, core), 2 * period);
   const double omega = plunge.omega();
   const Complex z = radius * std::sqrt(Complex(0, omega / nu));
   const Complex ratio = 1.0 + 0.5 / z - 0.125 / (z * z) + 0.125 / (z * z * z);  // K1/K0

@@ -38,7 +38,7 @@ long double k(int order, long double x) {
 /// A circle of radius 0.5 whose wall moves with speed 1, at Re = 100, coarse enough for a test.
 vortex::Setup spinning(double rate, Vec2 centre = {}) {
   constexpr double nu = 0.01, dt = 0.02;
-  vortex::Setup made{.problem = {.flow = {{}, nu, {}, {rate}},
+  vortex::Setup made{.problem = {.flow = {{}, nu, {.spin = {rate}}},
                                  .dt = dt,
                                  .advecting_cores = std::numbers::sqrt2,
                                  .sigma_0 = std::sqrt(2 * nu * dt),
@@ -51,6 +51,7 @@ vortex::Setup spinning(double rate, Vec2 centre = {}) {
                      .scales = {.body = true, .impulsive = true},
                      .origin = {centre}};
   made.wall = std::make_unique<vortex::Wall>(body::circle({}, 0.5), 128);
+  made.turning = std::make_unique<vortex::Turning>(*made.wall);
   return made;
 }
 
@@ -98,6 +99,7 @@ TEST_CASE("the first sheet of a circle that spins is its wall's speed, all aroun
   vortex::Setup setup = spinning(2);
   vortex::Blobs blobs;
   setup.problem.wall = setup.wall.get();
+  setup.problem.turning = setup.turning.get();
   const vortex::Wake wake = vortex::start(blobs, setup.problem);
   for (const double gamma : wake.sheet) CHECK(gamma == Approx(-1).epsilon(1e-12));
   double sum = 0;

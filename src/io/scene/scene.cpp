@@ -8,6 +8,7 @@
 #include "io/quote.hpp"
 #include "io/scene/check.hpp"
 #include "io/scene/document.hpp"
+#include "io/scene/motion.hpp"
 #include "io/scene/reader.hpp"
 #include "io/scene/sizes.hpp"
 
@@ -17,8 +18,8 @@ namespace {
 /// An answer known by heart is that of one flow.
 void check_exact(const Document& document, const Scene& scene) {
   const ExactAnswer exact = *scene.check.exact;
-  const bool spins =
-      scene.motion && !scene.plunge && !scene.initial && flow::speed_of_stream(scene) == 0;
+  const bool spins = scene.motion && scene.motion->spin != 0 && !scene.motion->given_by_time() &&
+                     !scene.plunge && !scene.initial && flow::speed_of_stream(scene) == 0;
   if (exact == ExactAnswer::spinning_cylinder
           ? spins
           : scene.initial && scene.initial->kind->name == word(exact))
@@ -26,7 +27,7 @@ void check_exact(const Document& document, const Scene& scene) {
   document.refuse(
       "check.exact",
       exact == ExactAnswer::spinning_cylinder
-          ? "check.exact is \"spinning_cylinder\"; that needs [motion] in fluid at "
+          ? "check.exact is \"spinning_cylinder\"; that needs motion.spin alone, in fluid at "
             "rest and without [initial] or [plunge]"
           : fmt::format("check.exact is {0}; that needs the table [initial] of kind {0}",
                         quote(word(exact))));
@@ -51,6 +52,8 @@ void complete(const Document& document, Scene& scene) {
   };
   flow::AnyMethod& own = method_of(scene);
   flow::refuse_senseless(scene);
+  if (scene.motion) complete_motion(*scene.motion, scene.time.end, scene.origin.path.parent_path());
+  flow::refuse_rest(scene);
   flow::choose_viscosity(scene, written);
   own->choose(scene, written);
   if (scene.time.dt == 0) throw Refused("time", "[time] needs the key dt");

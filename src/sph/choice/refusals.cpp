@@ -18,10 +18,13 @@ namespace {
 /// Fast enough to turn the stream that it meets.
 bool plunges_upstream(const SphCase& scene) {
   const auto [u, v] = scene.flow.stream;
-  if (!scene.plunge || (u == 0 && v == 0)) return false;
-  const body::Plunge plunge = body::motion_of(scene.plunge, {}).plunge;
-  const Vec2 fastest = plunge.omega() * plunge.amplitude;
-  return std::abs(u * fastest.x + v * fastest.y) >= u * u + v * v;
+  const body::Motion motion = body::motion_of(scene.plunge, scene.motion);
+  if (!motion.travels() || (u == 0 && v == 0)) return false;
+  const Vec2 fastest = motion.plunge.omega() * motion.plunge.amplitude;
+  double along = std::abs(u * fastest.x + v * fastest.y);
+  for (const double t : motion.course.times())
+    along = std::max(along, dot({u, v}, motion.course.at(t).velocity));
+  return along >= u * u + v * v;
 }
 
 bool periodic(const SphCase& scene) {
@@ -61,10 +64,14 @@ void refuse_flow(const SphCase& scene) {
   refuse_outside(scene);
   refuse_initial(scene);
   if (!(scene.flow.nu > 0)) throw Refused("flow.nu", "flow.nu is 0; SPH needs a viscosity > 0");
+  if (scene.motion && scene.motion->course.turns())
+    throw Refused("motion",
+                  "motion.angle turns the body; SPH moves it along only, method = "
+                  "\"vortex\" turns it, too");
   if (plunges_upstream(scene))
     throw Refused(
-        "plunge",
-        "[plunge] is as fast along flow.stream as that: fluid would come in by the side of "
+        scene.plunge ? "plunge" : "motion",
+        "the body moves as fast along flow.stream as that: fluid would come in by the side of "
         "sph.box through which it leaves; slower was expected");
 }
 

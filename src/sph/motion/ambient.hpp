@@ -9,19 +9,20 @@ namespace vortree::sph {
 ///
 /// nu       kinematic viscosity [L^2/T]
 /// steady   the stream in the frame at rest [L/T]
-/// plunge   of the body; the stream that it meets is steady - dX/dt
-/// spin     of the wall about the origin
+/// motion   of the body; the stream that it meets is steady - dX/dt. Its wall turns about the
+///          origin at a steady rate
 struct Ambient {
   double nu = 0;
   Vec2 steady{};
-  body::Plunge plunge{};
-  body::Spin spin{};
+  body::Motion motion{};
 
   [[nodiscard]] Vec2 stream(double t) const {
-    return plunge.frequency > 0 ? steady - plunge.velocity(t) : steady;
+    return motion.travels() ? steady - motion.at(t).velocity : steady;
   }
-  [[nodiscard]] Vec2 wall_velocity(Vec2 at) const { return spin.rate * Vec2{-at.y, at.x}; }
-  [[nodiscard]] Vec2 wall_acceleration(Vec2 at) const { return -spin.rate * spin.rate * at; }
+  [[nodiscard]] Vec2 wall_velocity(Vec2 at) const { return motion.spin.rate * left_of(at); }
+  [[nodiscard]] Vec2 wall_acceleration(Vec2 at) const {
+    return -motion.spin.rate * motion.spin.rate * at;
+  }
 };
 
 }  // namespace vortree::sph

@@ -21,6 +21,7 @@ void keep(Drifting& drifting, auto stays) {
 
 /// How many times as far as the box, which holds the origin, something is.
 double times_as_far(Vec2 at, const Box& box) {
+  at = box.axes(at);
   return std::max({at.x / box.high.x, at.x / box.low.x, at.y / box.high.y, at.y / box.low.y});
 }
 
@@ -99,10 +100,11 @@ void take(Drifting& drifting, const Blobs& left) {
     if (left.gamma[i] != 0) drifting.append(left.centre(i), left.gamma[i], left.sigma[i], 0);
 }
 
-void drift(Drifting& drifting, Vec2 way, double spread, const Box& box) {
+void drift(Drifting& drifting, Vec2 way, double spread, const Box& box, const Turn& turn) {
   for (std::size_t i = 0; i < drifting.size(); ++i) {
-    drifting.x[i] += way.x;
-    drifting.y[i] += way.y;
+    const Vec2 to = turn(drifting.at(i)) + way;
+    drifting.x[i] = to.x;
+    drifting.y[i] = to.y;
     drifting.sigma[i] = std::sqrt(drifting.sigma[i] * drifting.sigma[i] + spread);
   }
   keep(drifting, [&](std::size_t i) { return felt_share(drifting.at(i), box) > 0; });

@@ -40,8 +40,9 @@ struct Drifting {
 /// Blobs as vortices that drift; those of no circulation are left out.
 void take(Drifting& drifting, const Blobs& left);
 
-/// Goes on by `way`, while cores grow by `spread` of sigma^2; what is no longer felt is left out.
-void drift(Drifting& drifting, Vec2 way, double spread, const Box& box);
+/// Turns as the axes turn the other way, and goes on by `way`, while cores grow by `spread` of
+/// sigma^2; what is no longer felt is left out.
+void drift(Drifting& drifting, Vec2 way, double spread, const Box& box, const Turn& turn = {});
 
 /// Takes away those that have come back into the box, as blobs.
 Blobs come_back(Drifting& drifting, const Box& box);

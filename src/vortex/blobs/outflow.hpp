@@ -4,11 +4,13 @@
 
 namespace vortree::vortex {
 
-/// A part of the plane, sides parallel to the axes.
+/// A part of the plane, sides parallel to axes from which those of positions are turned by `axes`.
 struct Box {
   Vec2 low, high;
+  Turn axes{};
 
   bool holds(Vec2 at) const {
+    at = axes(at);
     return at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y;
   }
 };

@@ -25,7 +25,7 @@ Choice past_body(const VortexCase& scene, double e) {
   const double length = body::length_of(*scene.body), nu = scene.flow.nu;
   const double reynolds = speed * length / nu;
   Choice c{};
-  const double period = scene.plunge ? 1 / scene.plunge->frequency : INFINITY;
+  const double period = flow::period_of(scene);
   // Around tips strain draws cores out: with longer steps they would multiply there.
   const bool blunt = body::tip_of(*scene.body).radius > 0.1 * length;
   const double longest = 2 * e * length / speed,

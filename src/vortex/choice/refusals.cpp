@@ -71,12 +71,11 @@ void hold_cores(const VortexCase& scene) {
 
 void hold_steps(const VortexCase& scene) {
   const double dt = scene.time.dt;
-  if (scene.plunge && dt * scene.plunge->frequency > 0.25)
-    throw Refused("plunge.frequency",
-                  fmt::format("plunge.frequency is {}; a period of it has {:.2g} steps of "
+  if (const double period = flow::period_of(scene); dt > 0.25 * period)
+    throw Refused(scene.plunge ? "plunge.frequency" : "motion",
+                  fmt::format("a period of the body's motion, {:.3g}, has {:.2g} steps of "
                               "time.dt = {}; {:.2g} gives it 100",
-                              scene.plunge->frequency, 1 / (scene.plunge->frequency * dt), dt,
-                              0.01 / scene.plunge->frequency));
+                              period, period / dt, dt, 0.01 * period));
   if (const double core = scene.cores.sigma_0;
       scene.diffusion.kind == Diffusion::particle_exchange &&
       scene.flow.nu * dt > 0.5 * core * core)

@@ -77,6 +77,8 @@ double turn_at_tip(const VortexCase& scene) {
     speed += 2 * std::numbers::pi * scene.plunge->frequency * scene.plunge->amplitude *
              sideways(way) / std::hypot(way[0], way[1]);
   }
+  // A body that turns meets the stream from all sides.
+  if (scene.motion && scene.motion->course.moves()) speed = flow::fastest_of(scene);
   const double rounded = std::max(tip.radius, scene.cores.sigma_0);
   return speed * std::sqrt(half / rounded) / rounded * scene.time.dt;
 }

@@ -69,10 +69,11 @@ void doubt_step(Warnings& list, const VortexCase& scene) {
                     "{:.2g} rad a "
                     "step: blobs will multiply there; {:.2g} is right",
                     dt, body::tip_of(*scene.body).radius, tips, 8 * dt / tips));
-  if (scene.plunge && dt * scene.plunge->frequency > 0.05)
+  if (const double period = flow::period_of(scene); dt > 0.05 * period)
     list.push_back(fmt::format(
-        "time.dt = {:.3g}: a period of the plunge has {:.2g} steps; {:.2g} gives it 100", dt,
-        1 / (dt * scene.plunge->frequency), 0.01 / scene.plunge->frequency));
+        "time.dt = {:.3g}: a period of the body's motion has {:.2g} steps; {:.2g} gives "
+        "it 100",
+        dt, period / dt, 0.01 * period));
 }
 
 void doubt_panels(Warnings& list, const body::BodySettings& body, double thin) {

@@ -68,6 +68,28 @@ WallPoints strain(Blobs& blobs, const FoldedBlobs& from, const Velocities& u, co
   return found;
 }
 
+/// Velocities as they were told at `stage` become those that lead straight, in axes that turn, to
+/// where blobs are at the time `to`.
+Velocities relative(Velocities u, const FoldedBlobs& from, const TurningAxes& axes, double stage,
+                    double to) {
+  if (!axes) return u;
+  const Turn back(-axes(to)), of_velocity(axes(stage) - axes(to));
+  const std::ptrdiff_t n = std::ssize(u.u);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const Vec2 w = of_velocity({u.u[i], u.v[i]}) + (1 / to) * (back(from.at(i)) - from.at(i));
+    u.u[i] = w.x;
+    u.v[i] = w.y;
+  }
+  return u;
+}
+
+/// Gradients of the same, as seen from axes that turn by so much a unit of time.
+void see_turning(Gradients& g, double rate) {
+  for (double& uy : g.uy) uy += rate;
+  for (double& vx : g.vx) vx -= rate;
+}
+
 void add(Velocities& sum, double weight, const Velocities& u) {
   for (std::size_t i = 0; i < sum.u.size(); ++i) {
     sum.u[i] += weight * u.u[i];
@@ -78,27 +100,32 @@ void add(Velocities& sum, double weight, const Velocities& u) {
 }  // namespace
 
 WallPoints convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
-                   flow::Scheme scheme, double dt, bool strains, const WallPoints& found) {
+                   flow::Scheme scheme, double dt, bool strains, const WallPoints& found,
+                   const TurningAxes& axes) {
   const FoldedBlobs from = fold(blobs, wall, found);
   Gradients gradients;
-  const auto at = [&](const Velocities& u, double h, Gradients* g = nullptr) {
-    return velocity(blobs, gone(from, u, wall, h), h, g);
+  const auto at = [&](const Velocities& u, double before, double h, Gradients* g = nullptr) {
+    return velocity(blobs, gone(from, relative(u, from, axes, before, h), wall, h), h, g);
   };
   const auto finish = [&](const Velocities& u) {
+    if (strains && axes) see_turning(gradients, axes(dt) / dt);
     return strains ? strain(blobs, from, u, gradients, wall, dt) : carry(blobs, from, u, wall, dt);
   };
   Gradients* const wanted = strains ? &gradients : nullptr;
 
   const Velocities k1 = velocity(blobs, from, 0, nullptr);
-  if (scheme == flow::Scheme::rk2) return finish(at(k1, dt / 2, wanted));
-  const Velocities k2 = at(k1, dt / 2);
-  const Velocities k3 = at(k2, dt / 2, wanted);
-  const Velocities k4 = at(k3, dt);
+  const auto whole = [&](const Velocities& u, double stage) {
+    return relative(u, from, axes, stage, dt);
+  };
+  if (scheme == flow::Scheme::rk2) return finish(whole(at(k1, 0, dt / 2, wanted), dt / 2));
+  const Velocities k2 = at(k1, 0, dt / 2);
+  const Velocities k3 = at(k2, dt / 2, dt / 2, wanted);
+  const Velocities k4 = at(k3, dt / 2, dt);
   Velocities mean(blobs.size());
-  add(mean, 1.0 / 6, k1);
-  add(mean, 1.0 / 3, k2);
-  add(mean, 1.0 / 3, k3);
-  add(mean, 1.0 / 6, k4);
+  add(mean, 1.0 / 6, whole(k1, 0));
+  add(mean, 1.0 / 3, whole(k2, dt / 2));
+  add(mean, 1.0 / 3, whole(k3, dt / 2));
+  add(mean, 1.0 / 6, whole(k4, dt));
   return finish(mean);
 }
 

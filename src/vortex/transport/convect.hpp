@@ -13,6 +13,10 @@ namespace vortree::vortex {
 using AdvectingVelocity = std::function<Velocities(const Blobs& blobs, const FoldedBlobs& folded,
                                                    double after, Gradients* gradients)>;
 
+/// By how much the axes in which positions and velocities are told have turned, anticlockwise, so
+/// long after the beginning of the step; empty: they do not.
+using TurningAxes = std::function<double(double after)>;
+
 /// Moves blobs for a time dt.
 ///
 ///   d X_i/dt = u(X_i),   X_i the folded centroid of blob i
@@ -22,13 +26,17 @@ using AdvectingVelocity = std::function<Velocities(const Blobs& blobs, const Fol
 /// around them; on the way its covariance stays as it is. (Strained cores of free space:
 /// convect_strained.hpp.) Without strain a blob is a rigid disc: an error of V : grad grad omega,
 /// first order in sigma^2.
+///
+/// Velocities are those of axes at rest, told in axes that may turn: what is far goes round as
+/// exactly as it stands.
 /// error   O(dt^2) for rk2, O(dt^4) for rk4, per unit of time; O(dt^2) of the covariance
 /// cost    two, or four, evaluations of the velocity, one with the gradient
 ///
 /// found    wall points nearest to the centres
+/// axes     with those of the wall
 /// returns  those nearest to where they have come to, as far as they were needed
 WallPoints convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
                    flow::Scheme scheme, double dt, bool strains = false,
-                   const WallPoints& found = WallPoints());
+                   const WallPoints& found = WallPoints(), const TurningAxes& axes = {});
 
 }  // namespace vortree::vortex

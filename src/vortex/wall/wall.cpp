@@ -167,6 +167,16 @@ double Wall::area() const {
   return sum;
 }
 
+/// The divergence of x_k x is 3 x_k.
+Vec2 Wall::area_moment() const {
+  Vec2 sum;
+  for (std::size_t i = 0; i < panels(); ++i) {
+    const double out = middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x;
+    sum += (out * length_ / 3) * middle_[i];
+  }
+  return sum;
+}
+
 Vec2 Wall::first_moment(std::span<const double> sheet) const {
   Vec2 sum;
   for (std::size_t i = 0; i < sheet.size(); ++i) sum = sum + (sheet[i] * length_) * middle_[i];

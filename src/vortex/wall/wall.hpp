@@ -61,8 +61,9 @@ class Wall {
   void add_velocity(std::span<const double> sheet, const fmm::Options& sums, tree::Points targets,
                     Velocities& u, const WallPoints& found = WallPoints()) const;
 
-  /// Of the body [m^2].
+  /// Of the body [m^2], and int x dA over it [m^3].
   double area() const;
+  Vec2 area_moment() const;
 
   /// sum of gamma b x over the panels.
   Vec2 first_moment(std::span<const double> sheet) const;

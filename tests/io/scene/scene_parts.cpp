@@ -68,7 +68,7 @@ TEST_CASE("around a tip steps do not go with a coarse accuracy, and cores widen 
 TEST_CASE("a Reynolds number needs a body and a stream, and no other viscosity beside it") {
   CHECK(refused(with("nu = 1e-3", "reynolds = 10")) ==
         "cases/ring.toml:3: flow.reynolds is 10; that needs [body] and a flow.stream, "
-        "[plunge] or motion.spin");
+        "[plunge] or [motion]");
   CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nstream = [1, 0]\nreynolds = 10") +
                      "[body]\nradius = 0.5"),
              StartsWith("cases/ring.toml:5: flow.reynolds is 10, which makes flow.nu 0.1, but that "
@@ -148,7 +148,8 @@ TEST_CASE("[motion] is that of a circle, and its speed is the wall's") {
   CHECK_THAT(refused(plain + spins), Contains("there is no [body]"));
   CHECK_THAT(refused(plain + "[body]\nshape = \"ellipse\"\nradius = 1\nacross = 0.5\n" + spins),
              Contains("only a circle can turn in its place, body.shape is \"ellipse\""));
-  CHECK_THAT(refused(plain + circle + "[motion]\n"), Contains("[motion] needs the key spin"));
+  CHECK_THAT(refused(plain + circle + "[motion]\n"),
+             Contains("[motion] needs one of the keys x, y, angle, file, spin"));
 }
 
 TEST_CASE("the exact flow around a circle that spins needs fluid at rest") {
@@ -160,6 +161,6 @@ TEST_CASE("the exact flow around a circle that spins needs fluid at rest") {
   for (const char* more : {"flow.stream=[1,0]", "plunge={amplitude=1,frequency=1}"}) {
     auto keys = asked;
     keys.push_back(more);
-    CHECK_THAT(refused(scene, keys), Contains("that needs [motion] in fluid at rest"));
+    CHECK_THAT(refused(scene, keys), Contains("that needs motion.spin alone, in fluid at rest"));
   }
 }

@@ -33,7 +33,7 @@ Cloud box_of_fluid() {
 TEST_CASE("a uniform stream as seen from a box that plunges stays uniform, to the tolerance") {
   const double t = 0.3;
   for (const Vec2 amplitude : {Vec2{0, 0.1}, Vec2{0.05, 0.1}}) {
-    const Ambient ambient{.nu = 0.01, .steady = {1, 0}, .plunge = {amplitude, 0.7}};
+    const Ambient ambient{.nu = 0.01, .steady = {1, 0}, .motion = {.plunge = {amplitude, 0.7}}};
     const Vec2 before = ambient.stream(t - dt / ratio), now = ambient.stream(t),
                later = ambient.stream(t + dt);
     Cloud cloud = box_of_fluid();

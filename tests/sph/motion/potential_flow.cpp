@@ -92,7 +92,8 @@ TEST_CASE(
 
 TEST_CASE("a circle that turns in a stream starts as one at rest: its wall moves along itself") {
   const SphSetup rest = around_circle(0.1, 2),
-                 turning = around_circle(0.1, 2, {.steady = {1, 0}, .spin = {.rate = 3}});
+                 turning =
+                     around_circle(0.1, 2, {.steady = {1, 0}, .motion = {.spin = {.rate = 3}}});
   const Cloud a = started(rest, true), b = started(turning, true);
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -1,0 +1,102 @@
+#include "vortex/wall/turning.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "vortex/wall/linear_system.hpp"
+#include "vortex/wall/panel_kernel.hpp"
+
+namespace vortree::vortex {
+namespace {
+
+using std::numbers::pi;
+
+/// Weights of int_0^2pi ln(4 sin^2((s - s')/2)) f(s') ds' for values of f at n even places, by how
+/// many of them f's place is from s.
+std::vector<double> weights_of_logarithm(std::size_t n) {
+  std::vector<double> weights(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    double sum = 0;
+    for (std::size_t m = 1; 2 * m < n; ++m) sum += std::cos(2 * pi * ((m * k) % n) / n) / m;
+    if (n % 2 == 0) sum += (k % 2 ? -1.0 : 1.0) / n;
+    weights[k] = -4 * pi / n * sum;
+  }
+  return weights;
+}
+
+/// ln|x_i - x_j| less its singular part; beside itself |dx/ds'|, s' going from 0 to 2 pi.
+double smooth_logarithm(const Wall& wall, std::size_t i, std::size_t j) {
+  const double n = static_cast<double>(wall.panels());
+  if (i == j) return std::log(wall.panel_length() * n / (2 * pi));
+  const Vec2 d = wall.middle(i) - wall.middle(j);
+  const double sine = 2 * std::sin(pi * (static_cast<double>(i) - static_cast<double>(j)) / n);
+  return 0.5 * std::log(dot(d, d) / (sine * sine));
+}
+
+/// Tangential velocity of the patch at the middles of panels.
+std::vector<double> along_wall(const Wall& wall) {
+  const std::size_t n = wall.panels();
+  const std::vector<double> weights = weights_of_logarithm(n);
+  const double per_parameter = wall.panel_length() * static_cast<double>(n) / (2 * pi);
+  std::vector<double> w(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    Vec2 sum;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double logarithm = 0.5 * per_parameter * weights[(i + n - j) % n] +
+                               wall.panel_length() * smooth_logarithm(wall, i, j);
+      sum += logarithm * wall.tangent(j);
+    }
+    w[i] = -dot(sum, wall.tangent(i)) / pi;
+  }
+  return w;
+}
+
+/// The sheet with that tangential velocity outside.
+std::vector<double> sheet_outside(const Wall& wall, std::span<const double> w) {
+  const std::size_t n = wall.panels();
+  std::vector<double> a(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 t = wall.tangent(i), normal{t.y, -t.x};
+    for (std::size_t j = 0; j < n; ++j) {
+      const Vec2 d = wall.middle(i) - wall.middle(j);
+      const double k =
+          i == j ? wall.shape().nearest(wall.middle(i)).curvature / 2 : dot(normal, d) / dot(d, d);
+      a[i * n + j] = (i == j ? 0.5 : 0.0) + panel::inverse_two_pi * wall.panel_length() * k;
+    }
+  }
+  return LinearSystem(a, n).solve(w);
+}
+
+/// Averages over panels of what is smooth and known at their middles, to O(b^4).
+std::vector<double> averaged(std::span<const double> at_middles) {
+  const std::size_t n = at_middles.size();
+  std::vector<double> mean(n);
+  for (std::size_t i = 0; i < n; ++i)
+    mean[i] = at_middles[i] +
+              (at_middles[(i + 1) % n] - 2 * at_middles[i] + at_middles[(i + n - 1) % n]) / 24;
+  return mean;
+}
+
+}  // namespace
+
+Turning::Turning(const Wall& wall) {
+  const std::vector<double> w = along_wall(wall);
+  sheet = sheet_outside(wall, w);
+  std::vector<double> beyond = w;
+  for (std::size_t i = 0; i < w.size(); ++i)
+    beyond[i] -= dot(left_of(wall.middle(i)), wall.tangent(i));
+  slip = averaged(beyond);
+  circulation = 2 * wall.area();
+  moment = 2 * wall.area_moment();
+}
+
+std::vector<double> gained_along_wall(const Wall& wall, double faster, double rate, double dt) {
+  std::vector<double> gained;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const Vec2 x = wall.middle(i);
+    gained.push_back(dot(faster * left_of(x) - (rate * rate * dt) * x, wall.tangent(i)));
+  }
+  return gained;
+}
+
+}  // namespace vortree::vortex
