@@ -56,14 +56,14 @@ def draw(run):
             panels[0].plot(h, e, label=f"{label}{slope(keys[-1], h, e)}", **style)
         if not drag or error in DRAG:
             panels[-1].plot(e, seconds, label=label, **style)
-        if drag and error in DRAG and len(curves) == 1:
+        if drag and error in DRAG:
             tell_seconds(panels[-1], seconds, e, colour)
     what = f"error of the {said(errors[0])}" if len(curves) > 1 else "error"
     finish(panels, keys[-1], numeric, what if numeric else said(errors[0]))
     if drag:
-        panels[-1].set_xlabel("error of the drag")
         guide(panels[-1])
         if len(curves) == 1 and numeric:
+            panels[-1].set_xlabel("error of the drag")
             panels[-1].legend(loc="upper right", fontsize=9, frameon=True, facecolor="white",
                               edgecolor="none", framealpha=1)
     panels[-1].set_ylabel(CLOCKS[clock])
@@ -101,6 +101,9 @@ def tell_seconds(axes, seconds, errors, colour):
 def guide(axes):
     """Lines at errors of round shares, as far as they are among the curves or just beside them."""
     low, high = axes.get_xlim()
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda error, _: f"{100 * error:g} %"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
     for wanted in GUIDES:
         if 0.5 * low < wanted < 2 * high:
             axes.axvline(wanted, color=INK, lw=0.8, ls=(0, (4, 3)), zorder=0.5)
