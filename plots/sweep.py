@@ -1,4 +1,5 @@
-"""What a digit costs: error against the swept key, and seconds against error."""
+"""What a digit costs: error against the swept key, and seconds against error; against that of the
+drag alone where there is one, with the seconds that some errors cost."""
 
 import numpy as np
 from _style import BLUE, GREEN, GREY, INK, ORANGE, RED, SKY, Nothing, figure, main, note
@@ -19,6 +20,8 @@ WORDS = {"drag_max": "drag, largest", "drag_rms": "drag, rms", "bubble_max": "le
          "separation_max": "distance of the vortices", "velocity_rms": "velocity, rms",
          "pressure_rms": "pressure, rms"}
 CLOCKS = {"seconds": "wall time  [s]", "processor_seconds": "time of one processor  [s]"}
+DRAG = ("drag_max", "drag_rms")
+GUIDES = (0.01, 0.003, 0.001)  # src/app/commands/sweep_seconds.cpp
 LOOKS = [(BLUE, "o"), (ORANGE, "s"), (GREEN, "D"), (RED, "^"), (SKY, "v"), (GREY, "P")]
 
 
@@ -43,6 +46,7 @@ def draw(run):
         shown = [(said(name), curves[0][1], name) for name in errors[:len(LOOKS)]]
     else:
         shown = [(row[keys[-1]], [row], errors[0]) for row in rows]
+    drag = any(error in DRAG for _, _, error in shown)
     for (label, members, error), (colour, marker) in zip(shown, LOOKS):
         e = np.array([number(row[error]) for row in members])
         seconds = np.array([number(row[clock]) for row in members])
@@ -50,15 +54,61 @@ def draw(run):
         if numeric:
             h = np.array([number(row[keys[-1]]) for row in members])
             panels[0].plot(h, e, label=f"{label}{slope(keys[-1], h, e)}", **style)
-        panels[-1].plot(e, seconds, label=label, **style)
+        if not drag or error in DRAG:
+            panels[-1].plot(e, seconds, label=label, **style)
+        if drag and error in DRAG:
+            tell_seconds(panels[-1], seconds, e, colour)
     what = f"error of the {said(errors[0])}" if len(curves) > 1 else "error"
     finish(panels, keys[-1], numeric, what if numeric else said(errors[0]))
+    if drag:
+        guide(panels[-1])
+        if len(curves) == 1 and numeric:
+            panels[-1].set_xlabel("error of the drag")
+            panels[-1].legend(loc="upper right", fontsize=9, frameon=True, facecolor="white",
+                              edgecolor="none", framealpha=1)
     panels[-1].set_ylabel(CLOCKS[clock])
     if numeric:
         at_values(panels[0], sorted({number(row[keys[-1]]) for row in rows}))
     tell_curves(panels[0], len(shown) if numeric else 0)
     fig.text(0.995, 0.005, where(notes), ha="right", va="bottom", fontsize=7.5, color=GREY)
     return fig
+
+
+def cost_of(seconds, errors, wanted):
+    """As the program tells it: seconds where the line between two runs comes down to an error, and
+    no dearer run errs more; NaN where runs do not reach it, or all have."""
+    good = usable(seconds) & usable(errors)
+    order = np.argsort(seconds[good], kind="stable")
+    t, e = np.log(seconds[good][order]), np.log(errors[good][order])
+    above = np.flatnonzero(e > np.log(wanted))
+    if above.size == 0 or above[-1] + 1 == e.size:
+        return np.nan
+    k = above[-1]
+    return float(np.exp(t[k] + (t[k + 1] - t[k]) * (np.log(wanted) - e[k]) / (e[k + 1] - e[k])))
+
+
+def tell_seconds(axes, seconds, errors, colour):
+    """Where a curve passes a guide line, its seconds."""
+    for wanted in GUIDES:
+        cost = cost_of(seconds, errors, wanted)
+        if np.isfinite(cost):
+            axes.plot(wanted, cost, "o", ms=9, mfc="none", mec=colour, mew=1.2, zorder=4)
+            axes.annotate(f"{cost:.2g} s", (wanted, cost), (7, 6), textcoords="offset points",
+                          fontsize=10, color=colour, zorder=5,
+                          bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.5})
+
+
+def guide(axes):
+    """Lines at errors of round shares, as far as they are among the curves or just beside them."""
+    low, high = axes.get_xlim()
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda error, _: f"{100 * error:g} %"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+    for wanted in GUIDES:
+        if 0.5 * low < wanted < 2 * high:
+            axes.axvline(wanted, color=INK, lw=0.8, ls=(0, (4, 3)), zorder=0.5)
+            axes.text(wanted, 1.0, f"{100 * wanted:g} %", transform=axes.get_xaxis_transform(),
+                      ha="center", va="bottom", fontsize=10, color=INK)
 
 
 def tell_curves(axes, curves):
@@ -82,7 +132,7 @@ def where(notes):
 
 
 def usable(value):
-    return 0 < value < np.inf
+    return (0 < value) & (value < np.inf)
 
 
 def grouped(rows, keys):

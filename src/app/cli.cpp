@@ -81,10 +81,15 @@ int print_velocity(const VelocityJob& job) {
 }
 
 // Results in files.
-int run_bench(const std::string& what, const TreeBenchJob& job) {
+int run_bench(const std::string& what, const BenchJob& job) {
+  if (!job.blobs.empty() && what != "trees")
+    throw io::InputError("command line: --blobs is for bench trees alone");
+  if (!job.runs.empty() && what != "step")
+    throw io::InputError("command line: --run is for bench step alone");
   if (what == "trees") bench_trees(job);
   if (what == "velocity") bench_velocity(job);
   if (what == "neighbors") bench_neighbors(job);
+  if (what == "step") bench_step(job);
   return done;
 }
 

@@ -245,23 +245,27 @@ void add_lyapunov(CLI::App& program, Words& words) {
 void add_bench(CLI::App& program, Words& words) {
   auto& command = *program.add_subcommand(
       "bench",
-      "measure every way to a tree, to velocities, or to neighbors; writes CSV files and figures");
+      "measure every way to a tree, to velocities, to neighbors, or through a step of a flow; "
+      "writes CSV files and figures");
   command.add_option("WHAT", words.benched, "what to measure")
       ->required()
-      ->check(CLI::IsMember({"trees", "velocity", "neighbors"}));
+      ->check(CLI::IsMember({"trees", "velocity", "neighbors", "step"}));
   command
       .add_option("--out", words.bench.out, "folder for the results; by default runs/bench_WHAT")
       ->check(a_name)
       ->type_name("DIR");
   command.add_flag("--overwrite", words.bench.overwrite, "replace the tables in that folder");
-  command.add_flag("--quick", words.bench.quick, "smaller sets: two minutes, not half an hour");
+  command.add_flag("--quick", words.bench.quick,
+                   "smaller sets: two minutes, not half an hour (step: half a minute, not two)");
   command
       .add_option("--threads", words.bench.threads, "measured beside one thread; all by default")
       ->check(within(1, most_threads))
       ->type_name("N");
   command
-      .add_option("--largest", words.bench.largest,
-                  "most points of a set; by default 4000000 (trees 10000000), quick 1000000")
+      .add_option(
+          "--largest", words.bench.largest,
+          "most points of a set; by default 4000000 (trees 10000000), quick 1000000 (step: a "
+          "flow is followed until it has so many blobs)")
       ->check(within<std::size_t>(100, 100000000))
       ->type_name("N");
   command
@@ -269,6 +273,12 @@ void add_bench(CLI::App& program, Words& words) {
                   "trees: the frames.h5 of a run, of which some moments are measured, too")
       ->check(a_name)
       ->type_name("FILE");
+  command
+      .add_option("--run", words.bench.runs,
+                  "step: the folder of a run by vortices, whose last frame is measured instead of "
+                  "the scenes that come with the program; any number of them")
+      ->check(a_name)
+      ->type_name("DIR");
   command.footer("example: vortree bench velocity --quick --out quick");
 }
 

@@ -19,7 +19,7 @@ struct Words {
   VelocityJob velocity;
   NeighborsJob neighbors;
   LyapunovJob lyapunov;
-  TreeBenchJob bench;
+  BenchJob bench;
   std::string benched;
   std::string scene;
   std::vector<std::string> overrides;

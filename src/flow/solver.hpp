@@ -73,6 +73,10 @@ class Solver {
   /// order never change on the way.
   virtual Measures measures() const = 0;
 
+  /// What the last step has done to how many particles, by name, as far as the method counts it; 0
+  /// of a flow that has not moved since it was made or restored.
+  virtual Measures counts() const { return {}; }
+
   /// What the body feels; none without one.
   virtual std::optional<Force> force() const = 0;
 

@@ -63,6 +63,14 @@ constexpr std::pair<const char*, std::vector<double> Drifting::*> of_drifting[] 
     {"drifting sigma", &Drifting::sigma},
     {"drifting spread", &Drifting::spread}};
 
+/// Counts of a step, with their names.
+constexpr std::pair<const char*, std::size_t StepCounts::*> of_counts[] = {
+    {"released", &StepCounts::released},
+    {"laid", &StepCounts::laid},
+    {"split", &StepCounts::split},
+    {"beside_wall", &StepCounts::beside_wall},
+    {"merged", &StepCounts::merged}};
+
 void save_numbers(flow::State& state, const auto& numbers, auto of) {
   for (const auto& [name, number] : numbers) state[name] = {number(of)};
 }
@@ -184,6 +192,13 @@ flow::Measures VortexSolver::measure() const {
       {"plus_x", "L", elsewhere ? plus.x + from.x : plus.x},
       {"plus_y", "L", elsewhere ? plus.y + from.y : plus.y},
   };
+}
+
+flow::Measures VortexSolver::counts() const {
+  flow::Measures counts;
+  for (const auto& [name, count] : of_counts)
+    counts.push_back({name, "", static_cast<double>(wake_.counts.*count)});
+  return counts;
 }
 
 std::optional<flow::Force> VortexSolver::force() const {

@@ -17,6 +17,7 @@ namespace vortree::vortex {
 ///           both 0 where the body moves. In free space (else 0): quadrupole_*, separation,
 ///           circulation_plus, plus_*, plus the part that turns anticlockwise
 ///           (vortex/blobs/moments.hpp)
+/// counts    released, laid, split, beside_wall, merged (vortex/step.hpp)
 /// drift     beside a wall of the circulation, else of the second moment but for diffusion
 /// table     wall.csv, vorticity and sheet of each panel; or energy.csv of up to 20 000 blobs, for
 ///           the sum is over all pairs
@@ -32,6 +33,7 @@ class VortexSolver final : public flow::Solver {
   std::size_t particles() const override { return blobs_.size(); }
   flow::Columns columns() const override;
   flow::Measures measures() const override { return measures_; }
+  flow::Measures counts() const override;
   std::optional<flow::Force> force() const override;
   double drift() const override { return drift_; }
   flow::Samples sample(tree::Points at) const override;

@@ -374,6 +374,30 @@ void let_go(Blobs& blobs, Problem& p) {
   if (p.faintest > 0) p.outflow = p.outflow + remove_faint(blobs, p.faintest);
 }
 
+/// Splitting and merging, counted.
+void adapt(Blobs& blobs, const Problem& p, std::uint64_t number, const WallPoints& found,
+           StepCounts& counts, const tree::Phase& phase) {
+  const body::Shape* shape = p.wall ? &p.wall->shape() : nullptr;
+  phase("split");
+  AdaptedBlobs adapted = split_apart(blobs, splitting_in(p), shape, number, found);
+  counts.laid = adapted.laid;
+  counts.split = adapted.split;
+  counts.beside_wall = adapted.at_wall.size();
+  const std::size_t before = adapted.all.size();
+  phase("merge");
+  merge_close(adapted, p.merging);
+  counts.merged = before - adapted.all.size();
+  if (adapted.all.size() > p.most_blobs) throw Multiplied(adapted.all.size());
+  blobs = pack(adapted, shape);
+}
+
+StepCounts operator+(StepCounts a, const StepCounts& b) {
+  for (const auto count : {&StepCounts::released, &StepCounts::laid, &StepCounts::split,
+                           &StepCounts::beside_wall, &StepCounts::merged})
+    a.*count += b.*count;
+  return a;
+}
+
 Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phase& phase) {
   const body::Shape* shape = p.wall ? &p.wall->shape() : nullptr;
   Wake wake;
@@ -393,15 +417,9 @@ Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phas
   if (p.wall) {
     phase("wall");
     wake = cancel_slip(blobs, found, p, p.time + p.dt, p.sigma_0, false);
+    wake.counts.released = p.wall->panels();
   }
-  if (spreads) {
-    phase("split");
-    AdaptedBlobs adapted = split_apart(blobs, splitting_in(p), shape, number, found);
-    phase("merge");
-    merge_close(adapted, p.merging);
-    if (adapted.all.size() > p.most_blobs) throw Multiplied(adapted.all.size());
-    blobs = pack(adapted, shape);
-  }
+  if (spreads) adapt(blobs, p, number, found, wake.counts, phase);
   let_go(blobs, p);
   wake.outflow = p.outflow;
   wake.drifting = std::move(p.drifting);
@@ -422,7 +440,9 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
     p.time = time;
     p.outflow = wake.outflow;
     p.drifting = wake.drifting;
+    const StepCounts before = wake.counts;
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
+    wake.counts = before + wake.counts;
     pressure += parts.length(k) * wake.pressure;
     time += p.dt;
   }

@@ -83,8 +83,19 @@ struct Problem {
   fmm::Options sums;
 };
 
-/// What one step leaves beside the blobs; but for `outflow`, empty without a wall. Vectors are told
-/// in axes that do not turn.
+/// How many blobs a step, in all its parts,
+///
+/// released     at the wall
+/// laid         onto lattices
+/// split        into children
+/// beside_wall  looked at, of those that splitting left, because the wall folds their cores
+/// merged       into others
+struct StepCounts {
+  std::size_t released = 0, laid = 0, split = 0, beside_wall = 0, merged = 0;
+};
+
+/// What one step leaves beside the blobs; but for `outflow` and `counts`, empty without a wall.
+/// Vectors are told in axes that do not turn.
 ///
 /// sheet           released at the end of the step [m/s], a value a panel
 /// moment          sum gamma X of blobs, released sheet, what has left, and a body that turns;
@@ -104,6 +115,7 @@ struct Wake {
   double bubble_length = 0;
   Outflow outflow{};
   Drifting drifting{};
+  StepCounts counts{};
 };
 
 /// Blobs multiply faster than they merge: more than Problem::most_blobs.

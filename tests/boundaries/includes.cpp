@@ -43,7 +43,7 @@ const std::map<std::string, Permit>& permits() {
       {"io", {{"io", "flow", "body", "base", "tree/base"}, {anything}}},
       {"checks", {{"checks", "flow", "body", "io", "exact", "base"}, {"fmt/", "fftw3.h"}}},
       {"bench",
-       {{"bench", "neighbors", "sph", "fmm", "base", "provenance", "tree", "tree/base"},
+       {{"bench", "neighbors", "sph", "flow", "fmm", "base", "provenance", "tree", "tree/base"},
         {anything}}},
       {"app/loop",
        {{"app", "app/loop", "app/folder", "app/methods", "checks", "flow", "io", "base"},

@@ -60,11 +60,14 @@ std::set<std::string> anchors_of(const fs::path& page) {
   return anchors;
 }
 
+// The sections with pictures: what an error costs, and the gallery that follows it.
 std::string gallery() {
   const std::string readme = prose_of(root / "README.md");
-  const auto begin = readme.find("\n## Gallery\n");
+  const auto begin = readme.find("\n## What an error costs\n");
   REQUIRE(begin != std::string::npos);
-  return readme.substr(begin, readme.find("\n## ", begin + 1) - begin);
+  const auto second = readme.find("\n## ", begin + 1);
+  REQUIRE(readme.compare(second, 12, "\n## Gallery\n") == 0);
+  return readme.substr(begin, readme.find("\n## ", second + 1) - begin);
 }
 
 }  // namespace

@@ -226,6 +226,47 @@ TEST_CASE("a step past a wall names its phases in their order") {
   CHECK(blobs.size() >= wall.panels());
 }
 
+TEST_CASE("what a step counts is what becomes of the number of blobs") {
+  const vortex::Wall wall = cylinder_wall();
+  Problem problem = problem_of(wall, {.method = fmm::SumMethod::direct});
+  problem.splitting.scheme = vortex::SplitScheme::ring;
+  problem.splitting.children = 4;  // as beside a wall
+  for (const double tolerance : {0.02, 0.0}) {
+    problem.merging.tolerance = tolerance;
+    Blobs blobs;
+    start(blobs, problem);
+    std::size_t split = 0, merged = 0;
+    for (const int k : {6, 7, 8}) {  // of 2, 2 and 1 parts
+      const std::size_t before = blobs.size();
+      const vortex::StepCounts made = step(blobs, problem, k, [](std::string_view) {}).counts;
+      CHECK(made.released == (k < 8 ? 2 : 1) * wall.panels());
+      CHECK(made.laid == 0);
+      CHECK(blobs.size() == before + made.released + 3 * made.split - made.merged);
+      split += made.split;
+      merged += made.merged;
+    }
+    CHECK(split > 0);
+    CHECK((merged > 0) == (tolerance > 0));
+  }
+}
+
+TEST_CASE("what is laid onto lattices has no children, and nodes merge as before") {
+  const vortex::Wall wall = cylinder_wall();
+  Problem problem = problem_of(wall, {.method = fmm::SumMethod::direct});
+  problem.splitting.scheme = vortex::SplitScheme::lattice;
+  Blobs blobs;
+  start(blobs, problem);
+  std::size_t laid = 0;
+  for (const int k : {8, 9, 10}) {
+    const std::size_t before = blobs.size();
+    const vortex::StepCounts made = step(blobs, problem, k, [](std::string_view) {}).counts;
+    CHECK(made.laid + made.split <= before + made.released);
+    CHECK(made.beside_wall > 0);
+    laid += made.laid;
+  }
+  CHECK(laid > 0);
+}
+
 TEST_CASE("the first steps past a wall have 8, 4, 3, 2, 2, 2 and 2 parts") {
   const vortex::Wall wall = cylinder_wall();
   const auto velocity = fmm::Options{.cores = fmm::Cores::mean, .method = fmm::SumMethod::direct};

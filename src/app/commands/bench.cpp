@@ -8,12 +8,14 @@
 #include <string_view>
 #include <utility>
 
+#include "app/commands/step_flows.hpp"
 #include "app/folder/older_run.hpp"
 #include "app/folder/output_folder.hpp"
 #include "app/plot.hpp"
 #include "app/say.hpp"
 #include "bench/tables/neighbor_bench.hpp"
 #include "bench/tables/neighbor_uses.hpp"
+#include "bench/tables/step_bench.hpp"
 #include "bench/tables/tree_bench.hpp"
 #include "bench/tables/velocity_bench.hpp"
 #include "io/files.hpp"
@@ -66,7 +68,17 @@ void bench_neighbors(const BenchJob& job) {
   plot(folder.path(), "neighbors");
 }
 
-void bench_trees(const TreeBenchJob& job) {
+void bench_step(const BenchJob& job) {
+  const auto flows = step_flows(job.runs, job.quick, job.largest);
+  const OutputFolder folder(folder_of(job, "step"));
+  std::vector<fs::path> inputs;
+  for (const fs::path& run : job.runs) inputs.push_back(run / "frames.h5");
+  require_outputs(folder.path(), "step", {"step.csv"}, job, inputs);
+  bench::step_bench({folder.path() / "step.csv", job.quick, job.threads}, flows, say_row);
+  plot(folder.path(), "step");
+}
+
+void bench_trees(const BenchJob& job) {
   const OutputFolder folder(folder_of(job, "trees"));
   require_outputs(folder.path(), "trees", {"trees.csv", "trees_reuse.csv"}, job,
                   std::array{job.blobs});

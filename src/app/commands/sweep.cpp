@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/commands/sweep_seconds.hpp"
 #include "app/commands/sweep_table.hpp"
 #include "app/folder/older_run.hpp"
 #include "app/folder/output_folder.hpp"
@@ -162,7 +163,7 @@ int sweep(const RunOptions& options, const SweepPlan& plan) {
     }
     write_csv(options.out / "sweep.csv", options, plan, std::span(members).first(++done));
   }
-  tell("{}", table(plan, members));
+  tell("{}{}", table(plan, members), seconds_to_errors(plan, members));
   plot(options.out, "sweep");
   tell("results in {}\n", io::printable(options.out.string()));
   const std::string wrong = what_went_wrong(plan, members);

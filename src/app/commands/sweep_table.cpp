@@ -52,13 +52,8 @@ struct ErrorCurve {
   std::vector<double> h, e;
 };
 
-/// Another value of it is another flow, not the same one finer: between those there is no order.
-bool tells_the_flow(std::string_view key) {
-  return key.starts_with("flow.") || key == "seed";
-}
-
 ErrorCurve curve(const SweepPlan& plan, std::span<const Member> members, const std::string& what) {
-  const bool flows = tells_the_flow(plan.axes.back().key);
+  const bool flows = !tells_the_same_flow(plan);
   ErrorCurve c;
   for (const Member& m : members) {
     c.h.push_back(flows ? unknown : number_or_nan(m.values.back()));
@@ -122,6 +117,11 @@ std::string missed(const Member& m) {
 }
 
 }  // namespace
+
+bool tells_the_same_flow(const SweepPlan& plan) {
+  const std::string& key = plan.axes.back().key;
+  return !key.starts_with("flow.") && key != "seed";
+}
 
 std::vector<std::string> overrides_of(const SweepPlan& plan, const Member& member) {
   std::vector<std::string> overrides;

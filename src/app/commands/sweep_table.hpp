@@ -20,6 +20,9 @@ struct Member {
 std::vector<std::string> overrides_of(const SweepPlan& plan, const Member& member);
 std::string name_of(const SweepPlan& plan, const Member& member);
 
+/// Whether the last values make the same flow finer: between flows that differ there is no order.
+bool tells_the_same_flow(const SweepPlan& plan);
+
 /// Values, steps, particles, seconds and, of all that was held against an answer, what was reached
 /// with the order between neighbors; for three runs and more the order that fits all. A gap is what
 /// was not reached, or has no order: between flows that differ there is none.

@@ -43,9 +43,12 @@ struct AtWall {
 
 /// Those of a flow. Splitting and merging conserve sum gamma (centre + offset) exactly, without
 /// an inverse of the folded moments for each child and each merger: one for each blob that is left.
+///
+/// laid, split  so many blobs have become nodes of lattices, or children
 struct AdaptedBlobs {
   Unwritten<AdaptedBlob> all;
   std::vector<AtWall> at_wall;
+  std::size_t laid = 0, split = 0;
 };
 
 /// What a blob with this core knows of the wall point nearest to its centre.

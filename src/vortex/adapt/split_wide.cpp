@@ -224,6 +224,7 @@ struct Places {
   std::vector<float> widening, leniency;
   std::vector<std::int8_t> laid;  // onto this level
   WallPoints nearest;
+  std::size_t count_laid = 0, count_split = 0;
 
   Places(const Blobs& blobs, double widest, const Splitting& splitting, const body::Shape* wall,
          const Laying& laying, const WallPoints& found)
@@ -261,6 +262,8 @@ struct Places {
       at_wall[i + 1] = folds ? children[i + 1] : 0;
     }
     for (std::ptrdiff_t i = 0; i < n; ++i) {
+      count_laid += children[i + 1] == 0;
+      count_split += children[i + 1] > 1;
       children[i + 1] += children[i];
       at_wall[i + 1] += at_wall[i];
     }
@@ -287,6 +290,8 @@ AdaptedBlobs split_apart(const Blobs& blobs, const Splitting& splitting, const b
   AdaptedBlobs adapted;
   adapted.all.resize(places.children[n]);
   adapted.at_wall.resize(places.at_wall[n]);
+  adapted.laid = places.count_laid;
+  adapted.split = places.count_split;
 #pragma omp parallel for schedule(dynamic, blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Vec2 at = blobs.centre(i);

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "app/commands/sweep_seconds.hpp"
 #include "app/commands/sweep_table.hpp"
 #include "app/program.hpp"
 #include "checks/convergence.hpp"
@@ -124,6 +125,45 @@ TEST_CASE("the table has gaps for what was not reached, for runs that failed and
   CHECK(app::what_went_wrong(plan, std::span(members).first(1)).empty());
   for (app::Member& m : members) m.values = {"word"};
   CHECK(app::table(plan, members).find("all") == std::string::npos);
+}
+
+TEST_CASE("an error costs what the line between two runs says, and no run beyond errs more") {
+  using Numbers = std::vector<double>;
+  // seconds = 0.1/error, out of order; and one without a time.
+  const Numbers seconds{5, 100, NAN, 20}, errors{0.02, 0.001, 1e-5, 0.005};
+  const auto at = [&](double wanted) { return app::cost_of_error(seconds, errors, wanted); };
+  REQUIRE(at(0.003));
+  CHECK(at(0.003)->seconds == Approx(0.1 / 0.003));
+  CHECK_FALSE(at(0.003)->at_most);
+  CHECK(at(0.001)->seconds == Approx(100));
+  CHECK_FALSE(at(0.0009));  // nothing is extrapolated
+  REQUIRE(at(0.03));
+  CHECK(at(0.03)->at_most);
+  CHECK(at(0.03)->seconds == 5);
+  // What is reached by chance and lost again counts for nothing.
+  const auto again =
+      app::cost_of_error(Numbers{1, 2, 4, 8}, Numbers{0.01, 0.002, 0.008, 0.001}, 0.003);
+  REQUIRE(again);
+  CHECK(again->seconds == Approx(4 * std::pow(2, std::log(8 / 3.0) / std::log(8.0))));
+  CHECK_FALSE(app::cost_of_error(Numbers{1, 2}, Numbers{0.001, 0.004}, 0.003));
+  CHECK_FALSE(app::cost_of_error(Numbers{}, Numbers{}, 0.003));
+}
+
+TEST_CASE("a sweep that is held against a drag says what its errors cost, one of others nothing") {
+  const auto run = [](const std::string& value, double seconds, double off) {
+    return app::Member{.values = {"3", value},
+                       .result = {.finished = true,
+                                  .verdicts = {{"drag_max", 1, {off}}, {"lift_max", 1, {off}}},
+                                  .seconds = seconds,
+                                  .processor_seconds = seconds}};
+  };
+  const app::SweepPlan plan{.fixed = {}, .axes = {{"seed", {"3"}}, {"accuracy", {"4", "2"}}}};
+  const std::vector<app::Member> members{run("4", 2, 0.008), run("2", 8, 0.002)};
+  CHECK(app::seconds_to_errors(plan, members) ==
+        "seconds to 1 % / 0.3 % / 0.1 % by drag_max, seed=3: at most 2 / 5.33 / not reached\n");
+  CHECK(app::seconds_to_errors(plan, std::span(members).first(1)).empty());
+  const app::SweepPlan flows{.fixed = {}, .axes = {{"seed", {"3"}}, {"flow.nu", {"4", "2"}}}};
+  CHECK(app::seconds_to_errors(flows, members).empty());
 }
 
 namespace {
