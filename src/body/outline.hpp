@@ -35,7 +35,7 @@ class Placement {
 /// breaks  parameters where the second derivative jumps, or the speed; the direction does not
 /// error   round-off of place, distance, normal, arc length and curvature: 1e-13 of the largest
 ///         second derivative nearby (tests/body/outline.cpp)
-/// cost    0.1 us for a nearest point; 0.2 ms and 0.3 MB for drawing
+/// cost    0.2 us for a nearest point; 0.4 ms and 0.1 MB for drawing a foil
 std::unique_ptr<Shape> outline(const Curve& curve, const std::vector<double>& breaks = {});
 
 }  // namespace vortree::body

@@ -7,6 +7,8 @@
 #include "body/shapes/circle.hpp"
 #include "body/shapes/ellipse.hpp"
 #include "body/shapes/naca0012.hpp"
+#include "body/shapes/plate.hpp"
+#include "body/shapes/polygon.hpp"
 #include "vortex/flows.hpp"
 #include "vortex/wall/wall.hpp"
 
@@ -73,10 +75,25 @@ TEST_CASE("distance, normal and curvature are the formula's but for round-off: o
   }
 }
 
+TEST_CASE("a body that is thinner than places along it are apart has two sides") {
+  for (const double thickness : {1e-2, 1e-3, 1e-4}) {
+    const auto plate = body::plate({}, 1, thickness, 0);
+    bench::Uniform uniform(8);
+    for (int k = 0; k < 2000; ++k) {
+      const double x = 0.9 * (uniform() - 0.5), off = thickness * uniform(),
+                   side = uniform() < 0.5 ? -1 : 1;
+      const auto found = plate->nearest({x, side * (thickness / 2 + off)});
+      CHECK(found.distance == Approx(off).margin(1e-15));
+      CHECK(found.normal.y == Approx(side).epsilon(1e-14));
+    }
+  }
+}
+
 TEST_CASE("no place of a trace is nearer than the nearest, of any shape, from anywhere") {
-  const auto foil = body::naca0012({}, 1, 1e-4, 0.2), ellipse = body::ellipse({}, 0.5, 0.005, 0.3);
+  const auto foil = body::naca0012({}, 1, 1e-4, 0.2), ellipse = body::ellipse({}, 0.5, 0.005, 0.3),
+             square = body::polygon({}, 4, 0.5, 0.02, 0.1), plate = body::plate({}, 1, 0.01, -0.2);
   bench::Uniform uniform(77);
-  for (const auto* shape : {&foil, &ellipse}) {
+  for (const auto* shape : {&foil, &ellipse, &square, &plate}) {
     const auto trace = (*shape)->trace();
     for (int k = 0; k < 3000; ++k) {
       const Vec2 at{1.4 * (uniform() - 0.5), 1.4 * (uniform() - 0.5)};
@@ -148,4 +165,20 @@ TEST_CASE("the sheet of a stream past an ellipse is that of potential flow") {
     const double exact = -(a + b) * std::sin(t) / std::hypot(a * std::sin(t), b * std::cos(t));
     CHECK(sheet[i] == Approx(exact).margin(2e-4));
   }
+}
+
+TEST_CASE("panels of 0.7 radii of its ends see how a stream turns around a plate") {
+  // At an angle, so that the flow turns around both ends; between them against much finer panels.
+  const double thickness = 0.02;
+  const auto sheet_in_middle = [&](int panels) {
+    const vortex::Wall wall(body::plate({}, 1, thickness, 0), panels);
+    const auto sheet =
+        wall.sheet(wall.slip({0.8, 0.6}, vortex::Velocities(2 * wall.panels()), {}, {}), 0);
+    // The first panel begins at the tip in x: a quarter of the way round is the middle of a side.
+    return (sheet[panels / 4] + sheet[panels / 4 - 1]) / 2;
+  };
+  const auto plate = body::plate({}, 1, thickness, 0);
+  const double radius = 1 / plate->nearest({1, 0}).curvature;
+  const int panels = 4 * static_cast<int>(std::ceil(plate->perimeter() / (0.7 * radius) / 4));
+  CHECK(sheet_in_middle(panels) == Approx(sheet_in_middle(3 * panels)).margin(5e-4));
 }
