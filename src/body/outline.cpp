@@ -5,42 +5,95 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/chords.hpp"
+#include "body/hull.hpp"
+
 namespace vortree::body {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
+/// A chord of more than this [rad] is a poor guess of where its piece is nearest.
+constexpr double most_turning = 0.1;
+
 double length(Vec2 a) {
   return std::sqrt(dot(a, a));
 }
 
-/// 1/m; positive where an anticlockwise curve is convex.
-double curvature(const CurvePoint& c) {
-  const double speed = length(c.first);
-  return (c.first.x * c.second.y - c.first.y * c.second.x) / (speed * speed * speed);
+/// Halves of the stretch from a to b, and of these, until all are exact; at the last, a formula
+/// that is no smoother has to do.
+void add_pieces(std::vector<Piece>& all, const Curve& curve, double a, double b, int halvings) {
+  const Piece whole(curve, a, b);
+  if (halvings == 0 || (whole.exact() && whole.turning() < most_turning)) {
+    all.push_back(whole);
+    return;
+  }
+  add_pieces(all, curve, a, (a + b) / 2, halvings - 1);
+  add_pieces(all, curve, (a + b) / 2, b, halvings - 1);
 }
+
+/// Even steps of the parameter, and the breaks between them.
+std::vector<double> ends_of_stretches(const std::vector<double>& breaks) {
+  constexpr int even = 128;
+  std::vector<double> ends = breaks;
+  for (int i = 0; i <= even; ++i) ends.push_back(turn * i / even);
+  std::ranges::sort(ends);
+  const auto same = [](double a, double b) { return b - a < 1e-9; };
+  ends.erase(std::unique(ends.begin(), ends.end(), same), ends.end());
+  ends.back() = turn;
+  return ends;
+}
+
+std::vector<Piece> pieces_of(const Curve& curve, const std::vector<double>& breaks) {
+  constexpr int halvings = 12;
+  const std::vector<double> ends = ends_of_stretches(breaks);
+  std::vector<Piece> all;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    add_pieces(all, curve, ends[i], ends[i + 1], halvings);
+  return all;
+}
+
+std::vector<Vec2> starts_of(const std::vector<Piece>& pieces) {
+  std::vector<Vec2> starts;
+  for (const Piece& piece : pieces) starts.push_back(piece.at(-1));
+  return starts;
+}
+
+Vec2 middle_of(const std::vector<Vec2>& places) {
+  const auto [left, right] = std::ranges::minmax(places, {}, &Vec2::x);
+  const auto [low, high] = std::ranges::minmax(places, {}, &Vec2::y);
+  return {(left.x + right.x) / 2, (low.y + high.y) / 2};
+}
+
+/// A parameter of a piece on its way to where something is least.
+struct Downhill {
+  explicit Downhill(double start) : at(start) {}
+
+  /// By a step that leads downhill, but never past where it has been, nor an end of the piece.
+  void go(double step) {
+    (step > 0 ? low : high) = at;
+    (step > 0 ? was_low : was_high) = true;
+    const double next = at + step;
+    if (next > high)
+      at = was_high ? (at + high) / 2 : high;
+    else if (next < low)
+      at = was_low ? (at + low) / 2 : low;
+    else
+      at = next;
+  }
+
+  double at, low = -1, high = 1;
+  bool was_low = false, was_high = false;
+};
 
 class Outline final : public Shape {
  public:
-  explicit Outline(Curve curve) : curve_(std::move(curve)) {
+  explicit Outline(std::vector<Piece> pieces)
+      : pieces_(std::move(pieces)),
+        chords_(starts_of(pieces_)),
+        hull_(hull_of(starts_of(pieces_), pieces_)) {
     arc_.push_back(0);
-    for (int i = 0; i < pieces; ++i) {
-      place_.push_back(curve_(parameter(i)));
-      arc_.push_back(arc_.back() + arc_from(i, parameter(i + 1)));
-    }
-    low_ = high_ = place(0);
-    for (int i = 1; i < pieces; ++i) {
-      low_ = {std::min(low_.x, place(i).x), std::min(low_.y, place(i).y)};
-      high_ = {std::max(high_.x, place(i).x), std::max(high_.y, place(i).y)};
-    }
-    // Between two places the curve stays within half its length there of one of them.
-    double between = 0;
-    for (int i = 0; i < pieces; ++i) between = std::max(between, (arc_[i + 1] - arc_[i]) / 2);
-    low_ = low_ - Vec2{between, between};
-    high_ = high_ + Vec2{between, between};
-    for (int g = 0; g < groups; ++g)
-      for (int i = g * of_group; i < (g + 1) * of_group; ++i)
-        reach_[g] = std::max(reach_[g], length(place(i) - place(leader(g))));
+    for (const Piece& piece : pieces_) arc_.push_back(arc_.back() + piece.arc());
   }
 
   double perimeter() const override { return arc_.back(); }
@@ -48,113 +101,117 @@ class Outline final : public Shape {
   Vec2 point(double arc) const override {
     arc -= perimeter() * std::floor(arc / perimeter());
     const auto above = std::ranges::upper_bound(arc_, arc) - arc_.begin();
-    const int i = std::clamp(static_cast<int>(above) - 1, 0, pieces - 1);
-    double t = parameter(i) + (arc - arc_[i]) / (arc_[i + 1] - arc_[i]) * turn / pieces;
-    for (int k = 0; k < 8; ++k) t -= (arc_[i] + arc_from(i, t) - arc) / length(curve_(t).first);
-    return curve_(t).at;
+    const int i = std::clamp(static_cast<int>(above) - 1, 0, count() - 1);
+    const Piece& piece = pieces_[i];
+    double u = 2 * (arc - arc_[i]) / piece.arc() - 1;
+    for (int k = 0; k < 8; ++k) {
+      const double step = (arc_[i] + piece.arc(u) - arc) / piece.speed(u);
+      u -= step;
+      if (std::abs(step) < 1e-8) break;
+    }
+    return piece.at(u);
   }
 
   WallPoint nearest(Vec2 at) const override {
-    const auto [t, c] = foot(at);
-    const Vec2 tangent = (1 / length(c.first)) * c.first, normal{tangent.y, -tangent.x};
-    const double round = t - turn * std::floor(t / turn);
-    const int i = static_cast<int>(std::min(pieces - 1.0, round / turn * pieces));
-    return {arc_[i] + arc_from(i, round), dot(at - c.at, normal), normal, curvature(c)};
+    const Foot foot = foot_of(at);
+    const CurvePoint& c = foot.at;
+    const double speed = length(c.first);
+    const Vec2 tangent = (1 / speed) * c.first, normal{tangent.y, -tangent.x};
+    return {arc_[foot.piece] + pieces_[foot.piece].arc(foot.u), dot(at - c.at, normal), normal,
+            dot(c.second, {-normal.x, -normal.y}) / (speed * speed)};
   }
 
   double distance(Vec2 at) const override {
-    const auto [t, c] = foot(at);
+    const CurvePoint c = foot_of(at).at;
     const Vec2 out{c.first.y, -c.first.x}, d = at - c.at;
     return std::copysign(length(d), dot(d, out));
   }
 
-  bool beyond(Vec2 at, double d) const override {
-    return at.x < low_.x - d || at.x > high_.x + d || at.y < low_.y - d || at.y > high_.y + d;
-  }
+  bool beyond(Vec2 at, double d) const override { return hull_.beyond(at, d); }
 
   std::vector<OutlinePoint> trace() const override {
+    constexpr int places = 512;
     std::vector<OutlinePoint> all;
-    for (const CurvePoint& c : place_) all.push_back({c.at, curvature(c)});
+    std::size_t i = 0;
+    for (int k = 0; k < places; ++k) {
+      const double t = turn * k / places;
+      while (i + 1 < pieces_.size() && t > pieces_[i].parameter + pieces_[i].half * (1 + 1e-9)) ++i;
+      const double u = (t - pieces_[i].parameter) / pieces_[i].half;
+      const CurvePoint c = pieces_[i](u);
+      all.push_back({c.at, curvature(c), arc_[i] + pieces_[i].arc(u)});
+    }
     return all;
   }
 
  private:
-  static constexpr int pieces = 512, of_group = 16, groups = pieces / of_group;
-
-  static double parameter(int i) { return turn * i / pieces; }
-  static int leader(int group) { return group * of_group + of_group / 2; }
-  Vec2 place(int i) const { return place_[i].at; }
-
-  /// Length from place i on to a parameter nearby: three points of Gauss.
-  double arc_from(int i, double t) const {
-    const double a = parameter(i), h = t - a, g = std::sqrt(0.15);
-    return h / 18 *
-           (5 * length(curve_(a + (0.5 - g) * h).first) + 8 * length(curve_(a + 0.5 * h).first) +
-            5 * length(curve_(a + (0.5 + g) * h).first));
-  }
-
   struct Foot {
-    double parameter;
+    int piece;
+    double u;
     CurvePoint at;
   };
 
-  /// The nearest of the places; a group whose leader is too far off has none.
-  int nearest_place(Vec2 at) const {
-    std::array<double, groups> square;
-    double least = INFINITY;
-    for (int g = 0; g < groups; ++g) {
-      const Vec2 d = at - place(leader(g));
-      square[g] = dot(d, d);
-      least = std::min(least, square[g]);
-    }
-    const double near = std::sqrt(least) * (1 + 1e-12);
-    int best = 0;
-    least = INFINITY;
-    for (int g = 0; g < groups; ++g) {
-      if (square[g] > (near + reach_[g]) * (near + reach_[g])) continue;
-      for (int i = g * of_group; i < (g + 1) * of_group; ++i) {
-        const Vec2 d = at - place(i);
-        if (const double d2 = dot(d, d); d2 < least) {
-          least = d2;
-          best = i;
-        }
-      }
-    }
-    return best;
+  static Hull hull_of(const std::vector<Vec2>& places, const std::vector<Piece>& pieces) {
+    double beside = 0;
+    for (const Piece& piece : pieces) beside = std::max(beside, piece.sagitta());
+    const Vec2 centre = middle_of(places);
+    return {centre, [&](Vec2 along) {
+              double most = 0;
+              for (const Vec2 place : places) most = std::max(most, dot(place - centre, along));
+              return most + beside;
+            }};
+  }
+
+  int count() const { return static_cast<int>(pieces_.size()); }
+
+  /// The next piece, or the one before.
+  int beside(int piece, int way) const { return (piece + way + count()) % count(); }
+
+  /// The change of u that takes |at - curve|^2 to its least value, by a step of third order
+  /// (Chebyshev's) where that is a small correction to Newton's; always downhill.
+  static double step(const PiecePoint& c, Vec2 at) {
+    const Vec2 d = c.at - at;
+    const double speed = dot(c.first, c.first), slope = dot(d, c.first),
+                 bend = speed + dot(d, c.second);
+    // Where the curve bends away this would go uphill: there the length of the curve serves.
+    if (!(bend > 0.1 * speed)) return -slope / (bend > 0 ? bend : speed);
+    const double newton = slope / bend,
+                 more = newton * (3 * dot(c.first, c.second) + dot(d, c.third)) / (2 * bend);
+    return std::abs(more) < 0.5 ? -newton * (1 + more) : -newton;
   }
 
   /// Where |at - curve|^2 has its least value.
-  Foot foot(Vec2 at) const {
-    const int best = nearest_place(at);
-    const double low = parameter(best - 1), high = parameter(best + 1);
-    double t = parameter(best);
-    CurvePoint c = place_[best];
-    for (int k = 0; k < 20; ++k) {
-      const Vec2 d = c.at - at;
-      const double slope = dot(d, c.first), bend = dot(c.first, c.first) + dot(d, c.second);
-      // Where the curve bends away Newton would go uphill: there the length of the curve serves.
-      const double step = slope / (bend > 0 ? bend : dot(c.first, c.first));
-      const double next = std::clamp(t - step, low, high);
-      // The error of a step is as the square of it.
-      const bool settled = std::abs(next - t) < 1e-7;
-      t = next;
-      c = curve_(t);
-      if (settled) break;
+  Foot foot_of(Vec2 at) const {
+    const auto [side, share] = chords_.nearest(at);
+    int piece = side, came = 0;  // +1 or -1 if it came over the end or the start of a piece
+    Downhill u(2 * share - 1);
+    for (int k = 0;; ++k) {
+      const PiecePoint c = pieces_[piece](u.at);
+      const double du = step(c, at);
+      // Beyond this Taylor's series has the round-off of the polynomial.
+      if (std::abs(du) < 1e-6) return {piece, u.at + du, c.on(du)};
+      const int way = du > 0 ? 1 : -1;
+      if (u.at != way && k < 60) {
+        u.go(du);
+        continue;
+      }
+      // At an end, and farther on: over it, unless from over there it was this way.
+      if (u.at != way || came == -way) return {piece, u.at, c};
+      came = way;
+      piece = beside(piece, way);
+      u = Downhill(-way);
     }
-    return {t, c};
   }
 
-  Curve curve_;
-  std::vector<CurvePoint> place_;
-  double reach_[groups]{};
+  std::vector<Piece> pieces_;
   std::vector<double> arc_;
-  Vec2 low_, high_;  // a box around the curve
+  Chords chords_;
+  Hull hull_;
 };
 
 }  // namespace
 
-std::unique_ptr<Shape> outline(Curve curve) {
-  return std::make_unique<Outline>(std::move(curve));
+std::unique_ptr<Shape> outline(const Curve& curve, const std::vector<double>& breaks) {
+  return std::make_unique<Outline>(pieces_of(curve, breaks));
 }
 
 }  // namespace vortree::body

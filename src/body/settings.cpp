@@ -22,15 +22,53 @@ double BodySettings::turn() const {
   return incidence * std::numbers::pi / 180;
 }
 
+namespace {
+
+/// What is no number: digits, and points, which may come from a file.
+struct OtherKey {
+  std::string_view name, word;
+  bool written;
+};
+
+void hold_others(const BodySettings& body) {
+  const auto words = [&](const char* that, std::string_view word) {
+    return "body.shape is \"" + std::string(body.shape->name) + "\"; that " + that +
+           " the key body." + std::string(word);
+  };
+  for (const auto& [name, word, written] : {OtherKey{"digits", "digits", body.digits.has_value()},
+                                            OtherKey{"points", "file", body.file.has_value()},
+                                            OtherKey{"points", "points", body.points.has_value()}})
+    if (written && body.shape->also != name)
+      throw Refused("body." + std::string(word), words("does not have", word));
+  if (body.shape->also == "digits" && !body.digits) throw Refused("body", words("needs", "digits"));
+  if (body.shape->also == "points" && !body.points)
+    throw Refused("body", words("needs", "file, or points"));
+}
+
+}  // namespace
+
 void refuse(const BodySettings& body) {
   hold_dimensions(*body.shape, "body", "shape", body.numbers);
+  hold_others(body);
+  body.shape->hold(body);
+}
+
+std::vector<std::string> told_of(const BodySettings& body) {
+  return body.shape->told(body);
 }
 
 std::vector<Key> keys(BodySettings& body) {
   std::vector<Key> all = keys_of(as_kinds(shape_kinds()), "shape", "outline of the body",
                                  one_of(shape_kinds(), body.shape), body.numbers);
   for (Key one :
-       {key("incidence", body.incidence,
+       {key("digits", body.digits, anything, "",
+            "naca4, which needs it: its four digits, as \"2412\""),
+        key("file", body.file, anything, "",
+            "points, which needs it or `body.points`: places along the outline, in the layout of "
+            "Selig or Lednicer or two columns; relative to the folder of the scene"),
+        key("points", body.points, anything, "",
+            "the same as [x, y, x, y, ...]; read from `body.file` where they are not written"),
+        key("incidence", body.incidence,
             {.low = -180, .high = 180, .words = "it must lie in -180 .. 180 degrees"}, "degrees",
             "by how much the long axis or the chord is turned clockwise from x"),
         key("centre", body.centre, anything, "L",

@@ -21,11 +21,16 @@ struct ShapeKind;
 [[nodiscard]] Dimensions numbers_of_shapes();
 
 /// A body of some shape (body/shapes/shapes.hpp) with `panels` wall elements; the scene has none in
-/// free space. The numbers are those of its shape, by name, as in "radius". It is turned clockwise
-/// by `incidence` degrees about its centre.
+/// free space. The numbers are those of its shape, by name, as in "radius"; digits and points are
+/// there where a shape takes them. It is turned clockwise by `incidence` degrees about its centre.
+///
+/// file    where the points come from, as written; who reads scenes reads it, and no shape does
+/// points  x, y, x, y, ... of places along the outline
 struct BodySettings {
   const ShapeKind* shape = first_shape();
   Dimensions numbers = numbers_of_shapes();
+  std::optional<std::string> digits{}, file{};
+  std::optional<std::vector<double>> points{};
   double incidence = 0;
   std::array<double, 2> centre{0, 0};
   int panels = 520;
@@ -39,8 +44,12 @@ struct BodySettings {
   double turn() const;
 };
 
-/// throws  Refused if a number is written that the shape does not have, or lacking that it needs
+/// throws  Refused if a number is written that the shape does not have, or lacking that it needs;
+///         if they make no outline
 void refuse(const BodySettings&);
+
+/// What a shape makes of what is written that somebody may not expect, in sentences.
+[[nodiscard]] std::vector<std::string> told_of(const BodySettings&);
 
 /// The body moves without turning: X(t) = amplitude cos(2 pi frequency t) along a direction. All
 /// positions and velocities that a run writes are those in the frame of the body

@@ -20,10 +20,10 @@ struct WallPoint {
   Vec2 tangent() const { return {-normal.y, normal.x}; }
 };
 
-/// A place on an outline and how it bends there, as in WallPoint.
+/// A place on an outline, how it bends there and its arc length, as in WallPoint.
 struct OutlinePoint {
   Vec2 at;
-  double curvature;
+  double curvature, arc;
 };
 
 /// A closed curve without double points: all that the wall knows of a body.

@@ -100,6 +100,7 @@ void doubt_output(Warnings& list, const Case& of) {
 
 Warnings warnings(const Case& of) {
   Warnings list;
+  if (of.body) list = body::told_of(*of.body);
   doubt_times(list, of);
   doubt_output(list, of);
   return list;

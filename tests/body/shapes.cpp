@@ -57,12 +57,13 @@ TEST_CASE("a body has the keys of all shapes, and is a circle unless another is 
   BodySettings body;
   const std::vector<Key> all = keys(body);
   CHECK(names_of_keys(all) == std::vector<std::string>{"shape", "radius", "across", "chord", "edge",
-                                                       "incidence", "centre", "panels"});
+                                                       "thickness", "camber", "length", "sides",
+                                                       "corner", "scale", "digits", "file",
+                                                       "points", "incidence", "centre", "panels"});
   CHECK(body == BodySettings{});
   const OneOf shape = std::get<OneOf>(all[0].target);
-  REQUIRE(shape.words.size() == 3);
-  CHECK(
-      (shape.words[0] == "circle" && shape.words[1] == "ellipse" && shape.words[2] == "naca0012"));
+  CHECK(shape.words == std::vector<std::string_view>{"circle", "ellipse", "naca0012", "naca4",
+                                                     "joukowski", "plate", "polygon", "points"});
   CHECK(body.shape == &shape_kind("circle"));
   shape.set(2);
   CHECK(body.shape == &shape_kind("naca0012"));
@@ -70,7 +71,8 @@ TEST_CASE("a body has the keys of all shapes, and is a circle unless another is 
   CHECK((body.number("chord") == 3 && body.number("edge") == 0.005));
   CHECK((all[4].rule.low == 1e-4 && all[4].rule.high == 0.02 && all[4].unit == "chord"));
   CHECK(all[1].says ==
-        "circle, which needs it: its radius; ellipse, which needs it: half the long axis");
+        "circle, which needs it: its radius; ellipse, which needs it: half the long axis; polygon, "
+        "which needs it: half its length: to the corners, before they are rounded");
 }
 
 TEST_CASE("a body has the numbers of its shape, and no others") {
@@ -83,6 +85,14 @@ TEST_CASE("a body has the numbers of its shape, and no others") {
         "body: body.shape is \"ellipse\"; that needs the key body.across");
   CHECK(refusal({.shape = &shape_kind("naca0012"), .numbers = {{"radius", 1}}}) ==
         "body.radius: body.shape is \"naca0012\"; that does not have the key body.radius");
+  CHECK(refusal({.shape = &shape_kind("naca4"), .numbers = {{"chord", 1}}}) ==
+        "body: body.shape is \"naca4\"; that needs the key body.digits");
+  CHECK(refusal({.shape = &shape_kind("points")}) ==
+        "body: body.shape is \"points\"; that needs the key body.file, or points");
+  CHECK(refusal({.numbers = {{"radius", 1}}, .digits = "2412"}) ==
+        "body.digits: body.shape is \"circle\"; that does not have the key body.digits");
+  CHECK(refusal({.numbers = {{"radius", 1}}, .points = std::vector<double>{0, 0}}) ==
+        "body.points: body.shape is \"circle\"; that does not have the key body.points");
   CHECK(refusal({.numbers = {{"radius", 1}, {"edge", 0.01}}}) ==
         "body.edge: body.shape is \"circle\"; that does not have the key body.edge");
 }

@@ -341,6 +341,7 @@ TOLD = {
     "ellipse_re400": ("drag_max", "drag_rms", "lift_error_max", "lift_error_rms"),
     "plunging_cylinder": ("drag_max", "drag_rms", "lift_error_max", "lift_error_rms"),
     "naca0012": (None, None, None, None, "lift_routes_max", "routes_max"),
+    "naca2412": ("routes_max", "lift_routes_max"),
     "oscillating_cylinder": ("morison_drag_max", "morison_mass_max", "routes_max"),
     "spinning_cylinder": ("velocity_max", "lift_max"),
     "plunging_naca0012": ("theodorsen_max", "lift_routes_max"),

@@ -102,6 +102,8 @@ void RunFiles::require_outputs() const {
        {scene_.check.drag_reference, scene_.check.lift_reference,
         scene_.check.wall_vorticity_reference, scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
+  if (scene_.body && scene_.body->file)
+    inputs.push_back(io::reference_path(scene_, *scene_.body->file));
   const auto tables = tables_.names();
   std::vector<std::string> names(tables.begin(), tables.end());
   for (const char* name :

@@ -5,7 +5,12 @@
 #define VORTREE_SHAPES(kind) \
   kind(circle) \
   kind(ellipse) \
-  kind(naca0012)
+  kind(naca0012) \
+  kind(naca4) \
+  kind(joukowski) \
+  kind(plate) \
+  kind(polygon) \
+  kind(points)
 // clang-format on
 
 namespace vortree::body {

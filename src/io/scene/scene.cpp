@@ -10,7 +10,9 @@
 #include "io/scene/document.hpp"
 #include "io/scene/motion.hpp"
 #include "io/scene/reader.hpp"
+#include "io/scene/reference.hpp"
 #include "io/scene/sizes.hpp"
+#include "io/tables/coordinates.hpp"
 
 namespace vortree::io {
 namespace {
@@ -42,6 +44,18 @@ void hold_check(const Document& document, const Scene& scene) {
 auto& method_of(auto& scene) {
   return *std::ranges::find(scene.methods, scene.method,
                             [](const flow::AnyMethod& m) { return m->name(); });
+}
+
+/// The points of a body's outline, from the file that it names.
+void read_points(const Document& document, Scene& scene) {
+  if (!scene.body || !scene.body->file || scene.body->points) return;
+  const std::filesystem::path file = scene.origin.path.parent_path() / *scene.body->file;
+  try {
+    require_reference_file(file);
+  } catch (const InputError& error) {
+    document.refuse("body.file", fmt::format("body.file: {}", error.what()));
+  }
+  scene.body->points = read_coordinates(file);
 }
 
 /// What a scene leaves out, by its own laws and by those of its method, and what it cannot mean.
@@ -78,6 +92,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path,
   const Document document(text, path, overrides);
   Scene scene = read_scene(document, methods);
   scene.origin = {path, std::string(text), {overrides.begin(), overrides.end()}};
+  read_points(document, scene);
   refuse_sizes(document, scene);
   try {
     complete(document, scene);

@@ -8,9 +8,11 @@ namespace vortree::vortex::merge_kernel {
 
 namespace {
 
-/// Of length 1 along a sum of normals: its square neither over- nor underflows.
-Vec2 normalized(Vec2 a) {
-  return (1 / std::sqrt(dot(a, a))) * a;
+/// Halfway between two normals; of those of both sides of a plate, which are opposite, the first.
+Vec2 halfway(Vec2 a, Vec2 b) {
+  constexpr double opposite = 1e-12;
+  const Vec2 sum = a + b;
+  return dot(sum, sum) > opposite ? (1 / std::sqrt(dot(sum, sum))) * sum : a;
 }
 
 /// Two blobs of which at least one lies beside the wall: `w` is the first's share.
@@ -23,7 +25,7 @@ struct PairAtWall {
   PairAtWall(const AdaptedBlob& first, const AdaptedBlob& second, double share,
              std::span<const AtWall> all)
       : p(first), q(second), at_wall(all), w(share) {
-    normal = normalized(of(p).normal + of(q).normal);
+    normal = halfway(of(p).normal, of(q).normal);
     folded_apart = p.centre() - q.centre() + offset(p) - offset(q);
   }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "body/extent.hpp"
@@ -91,6 +93,37 @@ TEST_CASE("a body has the keys of its shape, and no others") {
   CHECK(body::length_of(*foil.body) == 3);
   CHECK(foil.body->number("edge") == 0.005);
   CHECK(parse(resolved(foil)) == foil);
+}
+
+TEST_CASE("points of a body are read from a file beside the scene, and stand in what is resolved") {
+  const Sandbox box;
+  std::string circle;
+  for (int i = 0; i < 20; ++i)
+    circle +=
+        fmt::format("{} {}\n", std::cos(0.1 * 3.14159265 * i), std::sin(0.1 * 3.14159265 * i));
+  box.write("round.dat", circle);
+  const auto read = [&](const std::string& lines) {
+    return parse_scene(plain + "[body]\nshape = \"points\"\n" + lines, box / "ring.toml",
+                       by_vortices());
+  };
+  const Scene scene = read("file = \"round.dat\"");
+  CHECK(scene.body->points->size() == 40);
+  CHECK(body::length_of(*scene.body) == Approx(2));
+  // So that a run can go on, or be looked at, where the file is not.
+  const Scene elsewhere = parse(resolved(scene));
+  CHECK(elsewhere.body->points == scene.body->points);
+  CHECK(elsewhere == scene);
+
+  const std::string place = (box / "ring.toml").string() + ":19: ";
+  const auto said = [&](const std::string& lines) { return refusal([&] { (void)read(lines); }); };
+  CHECK_THAT(said("file = \"rond.dat\""), StartsWith(place + "body.file: there is no file ") &&
+                                              EndsWith("did you mean round.dat?"));
+  CHECK_THAT(said("file = \".\""), StartsWith(place + "body.file: "));
+  CHECK(said("points = [1, 2, 3]") == place + "body.points: point 2: there is an x without a y");
+  box.write("round.dat", "round\n");
+  CHECK(said("file = \"round.dat\"") == (box / "round.dat").string() +
+                                            ":1: there are no points; lines of x and y were "
+                                            "expected");
 }
 
 TEST_CASE("a plunge needs a body and a direction; its speed serves where there is no stream") {

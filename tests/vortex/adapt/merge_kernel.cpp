@@ -1,6 +1,8 @@
 #include "vortex/adapt/merge_kernel.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -169,6 +171,20 @@ TEST_CASE("a free blob that merges with one beside the wall is so much farther a
   merge(r, p, at_wall);
   CHECK(at_wall[0].mean == Approx(1.2 + 0.9 / 2).epsilon(1e-14));
   CHECK(at_wall[0].across == Approx(0.5 * (0.5 + 0.02) + 0.9 * 0.9 / 4).epsilon(1e-14));
+}
+
+TEST_CASE(
+    "blobs on both sides of a plate, whose normals are opposite, merge to one that is finite") {
+  std::array<AtWall, 2> at_wall{AtWall{{0, 0.002}, {0, 1}, 0.01, 1e-5, false},
+                                AtWall{{0, -0.002}, {0, -1}, 0.012, 1e-5, false}};
+  AdaptedBlob above{0.1, 0.01, 1, 1e-4, {}, 0, 1, 1}, below{0.11, -0.01, 2, 1e-4, {}, 1, 1, 1};
+  merge(above, below, at_wall);
+  CHECK(above.gamma == 3);
+  CHECK(above.x == Approx((0.1 + 2 * 0.11) / 3));
+  CHECK(above.square > 0);
+  CHECK((std::isfinite(above.deviator.xx) && std::isfinite(above.deviator.xy)));
+  CHECK((at_wall[0].normal.x == 0 && at_wall[0].normal.y == 1));
+  CHECK((std::isfinite(at_wall[0].mean) && std::isfinite(at_wall[0].across)));
 }
 
 }  // namespace vortree::vortex::merge_kernel
