@@ -7,9 +7,12 @@ from matplotlib.patches import Polygon
 LOOK = {"facecolor": "#4d4d4d", "edgecolor": INK, "lw": 0.8, "zorder": 3}
 
 
-def outline(run):
+def outline(run, time=None):
+    """As it is turned at that time."""
     radius, _ = run.body
-    return Polygon(np.c_[run.outline["x"], run.outline["y"]] / radius, **LOOK)
+    c, s = np.cos(angle := run.angle(time)), np.sin(angle)
+    x, y = run.outline["x"] / radius, run.outline["y"] / radius
+    return Polygon(np.c_[c * x - s * y, s * x + c * y], **LOOK)
 
 
 def is_circle(run):

@@ -145,8 +145,10 @@ class Run:
 
     @property
     def speed(self):
-        """Of the stream; without one the greatest of the plunge, that of an initial flow that fills
-        the plane, or 1, as in the program's coefficients."""
+        """Of the stream; without one the greatest of the body's motion, that of an initial flow that
+        fills the plane, or 1, as in the program's coefficients."""
+        if {"body", "motion"} <= set(self.scene):
+            return self.report["T"][0] / self.report["t"][0] * self.body[0]
         plunge = self.scene.get("plunge", {"amplitude": 0, "frequency": 0})
         fastest = 2 * np.pi * plunge["frequency"] * plunge["amplitude"]
         initial = self.scene.get("initial", {}).get("speed", 1.0)
@@ -164,6 +166,12 @@ class Run:
     def outline(self):
         """x and y of the body's closed outline, from its centre."""
         return self._outline[1]
+
+    def angle(self, time):
+        """By which the body is turned then, anticlockwise, in radians."""
+        if time is None or "motion" not in self.scene or "body_angle" not in self.report:
+            return 0.0
+        return np.radians(np.interp(time, self.report["t"], self.report["body_angle"]))
 
     @cached_property
     def _outline(self):

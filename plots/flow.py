@@ -30,7 +30,7 @@ def draw(run):
         if circle and closed:  # closed wakes only
             streamlines(axes, field, run.stream / run.speed)
         if body:
-            axes.add_patch(outline(run))
+            axes.add_patch(outline(run, field["time"] * run.body[0] / run.speed))
         axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$"
                        + (f",  largest {field['peak']:.3g}" if "peak" in field else ""))
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")

@@ -66,7 +66,7 @@ def draw(run):
 
     for axes in (fine, omega):
         if window.body:
-            axes.add_patch(outline(run))
+            axes.add_patch(outline(run, time))
         axes.set(xlim=window.x, ylim=window.y, aspect="equal", xlabel=f"$x/{letter}$")
         axes.grid(False)
     fine.set_ylabel(f"$y/{letter}$")

@@ -32,8 +32,8 @@ def draw(run):
     omega = gamma / sigma**2
     blobs = np.array([x, y, omega])[:, np.abs(omega).argsort()]
     most_shown = np.quantile(np.abs(omega), 0.9)
-    show(whole, run, cells, blobs, most_shown, low, size)
-    show(closer, run, cells, blobs, most_shown, centre - near / 2, near)
+    show(whole, run, time, cells, blobs, most_shown, low, size)
+    show(closer, run, time, cells, blobs, most_shown, centre - near / 2, near)
     whole.add_patch(Rectangle(centre - near / 2, *near, fill=False, ec=INK, lw=1.2, zorder=4))
     whole.set_title(f"{x.size:,} blobs at $t = {time:.4g}$: {len(cells):,} cells, "
                     f"none with more than {most}")
@@ -42,7 +42,7 @@ def draw(run):
     return fig
 
 
-def show(axes, run, cells, blobs, strong, low, size):
+def show(axes, run, time, cells, blobs, strong, low, size):
     """Cells and blobs, these in the colours of their vorticity, the strong ones in front."""
     axes.add_collection(LineCollection(edges(cells), colors=INK, linewidths=0.4, alpha=0.7))
     x, y, omega = blobs[:, np.all(np.abs(blobs[:2].T - low - size / 2) < size / 2, axis=1)]
@@ -50,7 +50,7 @@ def show(axes, run, cells, blobs, strong, low, size):
                  vmax=strong, lw=0, zorder=2)
     if "body" in run.scene:
         radius, place = run.body
-        body = outline(run)
+        body = outline(run, time)
         body.set_transform(Affine2D().scale(radius).translate(*place) + axes.transData)
         axes.add_patch(body)
     axes.set(xlim=(low[0], low[0] + size[0]), ylim=(low[1], low[1] + size[1]), xlabel="$x$",

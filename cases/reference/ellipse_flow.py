@@ -1,5 +1,6 @@
-"""Flow of a viscous fluid past an ellipse or a circle that starts at once or moves to and fro: the
-solver of ellipse_re400.py, plunging_cylinder_re200.py and oscillating_cylinder_re100.py.
+"""Flow of a viscous fluid past an ellipse or a circle that starts at once, moves to and fro, spins or
+pitches: the solver of ellipse_re400.py, plunging_cylinder_re200.py, oscillating_cylinder_re100.py,
+spinning_cylinder_re200.py and pitching_ellipse_re400.py.
 
 The plane outside the ellipse of half axes a, b is that outside a circle of radius R0 = (a + b)/2,
 
@@ -10,9 +11,17 @@ whose metric factor h2 = |zeta - c2/zeta|^2 is all that vorticity and stream fun
     h2 d omega/dt = psi_xi omega_theta - psi_theta omega_xi + nu (omega_xixi + omega_thetatheta)
     psi_xixi + psi_thetatheta = -h2 omega,   u = psi_y,  v = -psi_x
 
-in the frame of the body, which does not turn: a body that moves by X(t) is one at rest in the
-stream U - dX/dt. psi is the potential flow of that stream, which is known, and a rest that is 0 at
-the wall and falls off as exp(-|n| xi) beyond all vorticity; its circulation is 0 as no body turns.
+in the frame of the body: one that moves by X(t) is at rest in the stream U - dX/dt. psi is the
+potential flow of that stream, which is known, and a rest that is 0 at the wall and falls off as
+exp(-|n| xi) beyond all vorticity.
+
+A body that turns, at the rate Omega, has axes that turn with it. Convection is then by psi +
+Omega |z|^2/2, which is even and flat at the wall; of it the potential flow makes what is not even,
+
+    psi = -Omega c2 cos(2 theta) exp(-2 xi),
+
+and the slip has Omega (2 c2 cos(2 theta) + R0^2 - c2^2/R0^2) more. So the circulation of fluid and
+body, -2 Omega A + 2 Omega A, is 0.
 
 Theta: Fourier series, no symmetry assumed. Xi: Chebyshev points in s, exp(xi) - 1 a multiple of
 exp(STRETCH s) - 1: fine at the wall, and fine enough in the wake. Time: backward differences of
@@ -29,6 +38,10 @@ Per unit density, with the fluid pushed by X'' in this frame (area A), the force
     F = nu oint (y, -x) omega_xi d theta + A X''    by pressure
       + nu oint (x_theta, y_theta) omega d theta    by friction
       = -d/dt int (y, -x) omega dA + A X''          by impulse, held against both.
+
+(About its centre, an ellipse that turns feels no force of the turning itself.) The moment about the
+centre is that of -dp/ds = -nu omega_n + a t, a the wall's acceleration, and of the friction nu
+(omega - 2 Omega).
 
 Units: stream (or greatest speed), diameter (or long axis) and density are 1, nu = 1/Re, T = 2 t.
 ellipse_flow_checks.py holds this against other solutions. Needs numpy and scipy; shares nothing
@@ -62,14 +75,30 @@ class Case:
     stream: complex = 1.0
     amplitude: complex = 0.0   # X = amplitude cos(2 pi frequency t)
     frequency: float = 0.0
+    spin: float = 0.0          # turned by spin t + pitch sin(2 pi pitch_frequency t), anticlockwise
+    pitch: float = 0.0         # [degrees]
+    pitch_frequency: float = 0.0
+    about: complex = 0.0       # the pivot, from the centre at angle 0
+
+    def turning(self, t):
+        """Angle, rate and spin-up."""
+        w, a = 2 * np.pi * self.pitch_frequency, np.radians(self.pitch)
+        return (self.spin * t + a * np.sin(w * t), self.spin + a * w * np.cos(w * t),
+                -a * w * w * np.sin(w * t))
+
+    def turn(self, t):
+        """From the body's axes to those of the stream."""
+        return np.exp(1j * (self.turning(t)[0] - np.radians(self.incidence)))
 
     def relative_stream(self, t):
-        w = 2 * np.pi * self.frequency
-        return self.stream + w * np.sin(w * t) * self.amplitude
+        w, (angle, rate, _) = 2 * np.pi * self.frequency, self.turning(t)
+        return (self.stream + w * np.sin(w * t) * self.amplitude
+                + 1j * rate * self.about * np.exp(1j * angle))
 
     def acceleration(self, t):
-        w = 2 * np.pi * self.frequency
-        return -w * w * np.cos(w * t) * self.amplitude
+        w, (angle, rate, spin_up) = 2 * np.pi * self.frequency, self.turning(t)
+        return (-w * w * np.cos(w * t) * self.amplitude
+                - (1j * spin_up - rate**2) * self.about * np.exp(1j * angle))
 
 
 def chebyshev(n):
@@ -104,7 +133,8 @@ class Flow:
 
     def map_to_ellipse(self, n):
         a, b = self.case.axes
-        self.radius, c2 = (a + b) / 2, (a * a - b * b) / 4
+        self.radius, self.c2 = (a + b) / 2, (a * a - b * b) / 4
+        c2 = self.c2
         self.theta, self.n = 2 * np.pi * np.arange(n) / n, np.arange(n // 2 + 1)
         self.first, self.second = 1j * self.n, -self.n**2.0
         self.first[-1] = 0
@@ -112,7 +142,6 @@ class Flow:
         self.z, self.h2 = zeta + c2 / zeta, np.abs(zeta - c2 / zeta)**2
         self.z_theta = 1j * (zeta[0] - c2 / zeta[0])
         self.zeta, self.area = zeta, np.pi * a * b
-        self.turn = np.exp(-1j * np.radians(self.case.incidence))  # body to stream
         quarter = np.arange(n // 4 + 1)  # lines of one h2 side by side
         self.alike = (np.arange(n)[None] if c2 == 0 else
                       np.stack([quarter, n // 2 - quarter, n // 2 + quarter, -quarter % n], 1))
@@ -133,10 +162,12 @@ class Flow:
         return np.ascontiguousarray(self.poisson @ both).view(complex)[:, :, 0].T
 
     def slip(self, t, omega):
-        """psi_xi at the wall."""
-        stream = np.conj(self.case.relative_stream(t) / self.turn)
+        """psi_xi at the wall, as the body sees it."""
+        stream = np.conj(self.case.relative_stream(t) / self.case.turn(t))
         rest = np.einsum("nk,kn->n", self.slip_weights, rfft(self.h2 * omega))
-        return irfft(rest) + 2 * np.imag(stream * self.zeta[0])
+        turning = 2 * self.c2 * np.cos(2 * self.theta) + self.area / np.pi
+        return (irfft(rest) + 2 * np.imag(stream * self.zeta[0])
+                + self.case.turning(t)[1] * turning)
 
     def influence(self, layer):
         """Column j: the slip by the layer on line j alone."""
@@ -146,23 +177,28 @@ class Flow:
     def first_layer(self, t):
         y = np.sqrt(self.h2[0]) * self.xi[:, None] / np.sqrt(4 * self.nu * t)
         layer = np.exp(-y**2)  # of a sudden stream; else of one that grows with t
-        if self.case.relative_stream(0) == 0:
+        if self.case.relative_stream(0) == 0 and self.case.turning(0)[1] == 0:
             layer = layer / np.sqrt(np.pi) - y * erfc(y)
         return -layer * np.linalg.solve(self.influence(layer), self.slip(t, 0 * layer))
 
     def keep(self, t, omega):
         """omega, what acts on it but for radial diffusion, and its impulse; the last four."""
         impulse = self.over_xi @ (-1j * self.z * omega * self.h2).mean(axis=1) * 2 * np.pi
+        impulse *= self.case.turn(t)
         self.t = t
         self.past = [(t, omega, self.convection(t, omega), impulse)] + self.past[:3]
 
     def convection(self, t, omega):
         """Convection less diffusion along theta; leaves the rate that bounds steps."""
         modes, psi = rfft(omega), self.stream_function(omega)
-        stream = np.conj(self.case.relative_stream(t) / self.turn) * self.zeta
+        stream = np.conj(self.case.relative_stream(t) / self.case.turn(t)) * self.zeta
+        rate = self.case.turning(t)[1]
         mirrored = np.exp(-2 * self.xi[:, None])
-        psi_xi = self.d1 @ irfft(psi) + (1 + mirrored) * stream.imag
-        psi_theta = irfft(self.first * psi) + (1 - mirrored) * stream.real
+        far, near = np.abs(self.zeta)**2, self.c2**2 / np.abs(self.zeta)**2
+        psi_xi = (self.d1 @ irfft(psi) + (1 + mirrored) * stream.imag
+                  + rate * (2 * self.c2 * np.cos(2 * self.theta) * mirrored + far - near))
+        psi_theta = (irfft(self.first * psi) + (1 - mirrored) * stream.real
+                     - 2 * rate * self.c2 * np.sin(2 * self.theta) * (1 - mirrored))
         last = self.n[-1]
         self.fastest = ((np.abs(psi_xi) * last + np.abs(psi_theta) * 1.5 / self.spacing
                          + 0.7 * self.nu * last**2) / self.h2)[1:-1].max()
@@ -207,18 +243,26 @@ class Flow:
             self.step(start + (t - start) * k / steps)
 
     def forces(self):
-        """Coefficients, drag + i lift: by pressure, by friction, by the rate of impulse."""
+        """Coefficients, drag + i lift: by pressure, by friction, by the rate of impulse; moment."""
         t, omega = self.past[0][:2]
         push = self.area * self.case.acceleration(t)
 
         def around(f):
-            return 2 * np.pi * f.mean() * self.turn
+            return 2 * np.pi * f.mean() * self.case.turn(t)
 
         pressure = -1j * self.nu * around(self.z[0] * (self.d1[0] @ omega)) + push
         friction = self.nu * around(self.z_theta * omega[0])
         rates = weights(np.array([past[0] for past in self.past]), t, 1)[1]
-        impulse = -self.turn * sum(r * past[3] for r, past in zip(rates, self.past)) + push
-        return 2 * pressure, 2 * friction, 2 * impulse
+        impulse = -sum(r * past[3] for r, past in zip(rates, self.past)) + push
+        return 2 * pressure, 2 * friction, 2 * impulse, 2 * self.moment(t, omega)
+
+    def moment(self, t, omega):
+        _, rate, spin_up = self.case.turning(t)
+        z, z_theta = self.z[0], self.z_theta
+        wall = (1j * spin_up - rate**2) * z + self.case.acceleration(t) / self.case.turn(t)
+        pushed = np.real(np.conj(wall) * z_theta) - self.nu * (self.d1[0] @ omega)
+        rubbed = self.nu * (omega[0] - 2 * rate) * np.imag(np.conj(z) * z_theta)
+        return 2 * np.pi * (np.abs(z)**2 * pushed / 2 + rubbed).mean()
 
     def left_over(self):
         """Of all vorticity: the last twentieth of the modes, and what is next to the edge."""
@@ -241,8 +285,8 @@ def solve(case, fine):
         flow.advance(t)
     for T in rows_until(case.end):
         flow.advance(T / 2)
-        pressure, friction, impulse = flow.forces()
-        rows.append((T, pressure, friction, impulse))
+        pressure, friction, impulse, moment = flow.forces()
+        rows.append((T, pressure, friction, impulse, moment))
         force, (modes, edge) = pressure + friction, flow.left_over()
         print(f"T {T:.3f} C_D {force.real:.6f} C_L {force.imag:.6f} "
               f"routes {abs(force - impulse):.1e} modes {modes:.1e} edge {edge:.1e} "
@@ -267,13 +311,14 @@ def header(case, flow, rows, coarse):
 # Solution made for this project (ellipse_flow.py).
 # T = 2 t in units of the diameter (or long axis) D and the stream (or greatest speed) U; tstar = T/2.
 # C_D, C_L = forces along and across / (0.5 rho U^2 D) = C_Dp, C_Lp (pressure) + C_Df, C_Lf (friction).
+# C_M = moment about the centre, anticlockwise / (0.5 rho U^2 D^2).
 # Method: Fourier series in theta ({angles} points), Chebyshev points ({layers}) to {case.reach:g} D,
 # exact no-slip constraint, BDF3.
 # Check: largest differences in windows that end at T =  {"  ".join(f"{b:<5g}" for b in bounds[1:])}
 #   C_D with {COARSE:g} of the points, longer steps        {largest(T, off.real, bounds)}
 #   C_L                                              {largest(T, off.imag, bounds)}
 #   force at the wall less rate of impulse           {largest(T, force - rows[:, 3], bounds)}
-T,tstar,C_D,C_Dp,C_Df,C_L,C_Lp,C_Lf
+T,tstar,C_D,C_Dp,C_Df,C_L,C_Lp,C_Lf,C_M
 """
 
 
@@ -282,10 +327,11 @@ def write(path, case, fine):
     flow, rows = solve(case, fine)
     with open(path, "w") as out:
         out.write(header(case, flow, rows, coarse))
-        for T, p, f, _ in rows:
+        for T, p, f, _, m in rows:
             values = [x + 0.0 for w in (p + f, p, f) for x in (round(w.real, 5), round(w.imag, 5))]
-            out.write(f"{T.real:.3f},{T.real / 2:.4f},"
-                      + ",".join(f"{x:.5f}" for x in values[::2] + values[1::2]) + "\n")
+            values = values[::2] + values[1::2] + [round(m.real, 5) + 0.0]
+            out.write(f"{T.real:.3f},{T.real / 2:.4f}," + ",".join(f"{x:.5f}" for x in values)
+                      + "\n")
 
 
 def main(case, name):

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <numbers>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "body/motion.hpp"
 
 namespace vortree::flow {
 
@@ -17,6 +20,15 @@ struct Measure {
 };
 
 using Measures = std::vector<Measure>;
+
+/// Where a body's centre is, that moves by a course, and by what angle it is turned.
+inline void add_place(Measures& measures, const body::Motion& motion, double t) {
+  if (!motion.course.moves()) return;
+  const body::Kinematics now = motion.at(t);
+  measures.push_back({"body_x", "L", now.place.x});
+  measures.push_back({"body_y", "L", now.place.y});
+  measures.push_back({"body_angle", "deg", now.angle * 180 / std::numbers::pi});
+}
 
 /// throws  std::out_of_range with the name, if there is none
 inline double measured(std::span<const Measure> measures, std::string_view name) {

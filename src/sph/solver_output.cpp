@@ -72,6 +72,7 @@ void SphSolver::measure_past_body() {
                {"volume", "", filled / volume},
                {"pressure_iterations", "", static_cast<double>(iterations_.pressure)},
                {"least_neighbors", "", static_cast<double>(least)}};
+  flow::add_place(measures_, ambient.motion, time_);
   drift_ = std::max(drift_, std::abs(circulation) / (scales.speed * scales.length));
 }
 

@@ -176,7 +176,7 @@ flow::Measures VortexSolver::measure() const {
   const Moments moments = wall() ? Moments{} : vortex::moments(blobs_);
   const Vec2 plus = wall() ? Vec2{} : moments.positive_centre;
   const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && !flow.motion.moves();
-  return {
+  flow::Measures measures{
       {"blobs", "", static_cast<double>(blobs_.size())},
       {"circulation", "L^2/T", circulation},
       {"impulse_x", "L^3/T", moment.y},
@@ -192,6 +192,8 @@ flow::Measures VortexSolver::measure() const {
       {"plus_x", "L", elsewhere ? plus.x + from.x : plus.x},
       {"plus_y", "L", elsewhere ? plus.y + from.y : plus.y},
   };
+  flow::add_place(measures, flow.motion, time());
+  return measures;
 }
 
 flow::Measures VortexSolver::counts() const {

@@ -176,6 +176,8 @@ TEST_CASE("a run of a body that turns resumes to the bit") {
   const auto silent = [](std::string_view) {};
   vortex::VortexSolver solver(ellipse(0, {1, 0}, pitch));
   for (int k = 0; k < 5; ++k) solver.step(silent);
+  CHECK(flow::measured(solver.measures(), "body_angle") ==
+        Approx(0.9 * solver.time() * 180 / pi).epsilon(1e-9));
   flow::State state;
   solver.save(state);
   vortex::VortexSolver again(ellipse(0, {1, 0}, pitch));

@@ -202,6 +202,15 @@ std::string line(const flow::LyapunovField& field, const fs::path& folder) {
                      io::printable((folder / "lyapunov.h5").string()));
 }
 
+/// Beside a wall velocities are made of the wall's place, which is known as it is at the start.
+void refuse_turning(const flow::Case& flow, const fs::path& folder) {
+  if (flow.motion && (flow.motion->angle || flow.motion->file))
+    throw io::InputError(
+        fmt::format("{}: its body turns by motion.angle or motion.file; Lyapunov "
+                    "exponents are told around bodies that do not",
+                    folder.string()));
+}
+
 }  // namespace
 
 std::string lyapunov(const LyapunovJob& asked) {
@@ -216,6 +225,7 @@ std::string lyapunov(const LyapunovJob& asked) {
   const io::WhileReading reading(job.folder / "fields.h5");
   const io::RunInfo info = io::info_of_frames(frames);
   const flow::Case flow = io::parse_case(info.resolved, frames, methods());
+  refuse_turning(flow, job.folder);
   const std::vector<double> times = times_of(job);
   const PicturesOfRun of = pictures_of(job, times);
   const flow::PictureGrid tracers = tracers_of(job, of.grid);
