@@ -53,6 +53,8 @@ constexpr std::pair<const char*, double& (*)(Wake&)> of_wake[] = {
     {"wake pressure_y", [](Wake& w) -> double& { return w.pressure.y; }},
     {"wake friction_x", [](Wake& w) -> double& { return w.friction.x; }},
     {"wake friction_y", [](Wake& w) -> double& { return w.friction.y; }},
+    {"wake pressure_moment", [](Wake& w) -> double& { return w.pressure_moment; }},
+    {"wake friction_moment", [](Wake& w) -> double& { return w.friction_moment; }},
     {"wake bubble_length", [](Wake& w) -> double& { return w.bubble_length; }}};
 
 /// Columns of what drifts.
@@ -208,7 +210,16 @@ std::optional<flow::Force> VortexSolver::force() const {
                      .impulse = {moment.y, -moment.x},
                      .pressure = wake_.pressure,
                      .friction = wake_.friction,
-                     .frame = wall()->area() * acceleration_of_centroid()};
+                     .frame = wall()->area() * acceleration_of_centroid(),
+                     .pressure_moment = wake_.pressure_moment,
+                     .friction_moment = wake_.friction_moment,
+                     .frame_moment = moment_of_frame()};
+}
+
+/// Of the force that drives the fluid with the body's centre, which acts on the body's centroid.
+double VortexSolver::moment_of_frame() const {
+  const Vec2 arm = axes_at(time())(wall()->area_moment());
+  return dot(left_of(arm), setup_.problem.flow.motion.at(time()).acceleration);
 }
 
 Vec2 VortexSolver::acceleration_of_centroid() const {

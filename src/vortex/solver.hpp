@@ -57,6 +57,7 @@ class VortexSolver final : public flow::Solver {
   /// The scene's places are not, bit by bit, those of the blobs.
   bool told_elsewhere() const { return dot(origin(), origin()) > 0 || turns(); }
   Vec2 acceleration_of_centroid() const;
+  double moment_of_frame() const;
   std::optional<Box> box_at(double time) const;
   double time_of(long step) const { return static_cast<double>(step) * setup_.problem.dt; }
   flow::Measures measure() const;

@@ -104,6 +104,7 @@ struct StepCounts {
 /// pressure        force on the body during the step, in its own frame, per unit density
 ///                 [m^3/s^2] (motion.hpp)
 /// friction        the same, at the end of the step
+/// pressure_moment, friction_moment   of both about the body's centre, anticlockwise [m^4/s^2]
 /// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
 /// outflow         all that has left the box, and `drifting` those of it that are still felt, to be
 ///                 handed to the next step
@@ -112,6 +113,7 @@ struct Wake {
   Vec2 moment;
   std::vector<double> wall_vorticity;
   Vec2 pressure, friction;
+  double pressure_moment = 0, friction_moment = 0;
   double bubble_length = 0;
   Outflow outflow{};
   Drifting drifting{};
