@@ -19,7 +19,8 @@ namespace vortree::vortex {
 ///           (vortex/blobs/moments.hpp)
 /// counts    released, laid, split, beside_wall, merged (vortex/step.hpp)
 /// drift     beside a wall of the circulation, else of the second moment but for diffusion
-/// table     wall.csv, vorticity and sheet of each panel; or energy.csv of up to 20 000 blobs, for
+/// table     wall.csv, vorticity, sheet, C_p (wall_pressure.hpp) and C_f, the traction along the
+///           anticlockwise tangent, of each panel; or energy.csv of up to 20 000 blobs, for
 ///           the sum is over all pairs
 class VortexSolver final : public flow::Solver {
  public:
