@@ -8,25 +8,27 @@
 namespace vortree::flow {
 namespace {
 
-/// Times, the fluid's impulse and what the pressure has given a body since the first of some
-/// forces.
+/// Times, the fluid's impulse and what the pressure has given a body, and turned it by, since the
+/// first of some forces.
 struct Lately {
   std::vector<double> t;
-  std::vector<Vec2> impulses, given;
+  std::vector<Vec2> impulses, given, turned;  // turned: as x
 };
 
 Lately lately(std::span<const Force> forces) {
   Lately late;
   for (const Force& f : forces) {
-    late.given.push_back(late.t.empty() ? Vec2{}
-                                        : late.given.back() + (f.t - late.t.back()) * f.pressure);
+    const bool first = late.t.empty();
+    late.given.push_back(first ? Vec2{} : late.given.back() + (f.t - late.t.back()) * f.pressure);
+    late.turned.push_back(
+        first ? Vec2{} : late.turned.back() + (f.t - late.t.back()) * Vec2{f.pressure_moment, 0});
     late.t.push_back(f.t);
     late.impulses.push_back(f.impulse);
   }
   return late;
 }
 
-Measures coefficients(Vec2 by_impulse, Vec2 by_wall, const Scales& scales) {
+Measures by_routes(Vec2 by_impulse, Vec2 by_wall, const Scales& scales) {
   const double unit = scales.of_force();
   return {{"cd_impulse", "", unit * dot(by_impulse, scales.along)},
           {"cd_wall", "", unit * dot(by_wall, scales.along)},
@@ -34,10 +36,24 @@ Measures coefficients(Vec2 by_impulse, Vec2 by_wall, const Scales& scales) {
           {"cl_wall", "", unit * dot(by_wall, scales.across())}};
 }
 
+void add_parts_at_wall(Measures& measures, Vec2 pressure, Vec2 friction, double moment,
+                       const Scales& scales) {
+  const double unit = scales.of_force();
+  for (const Measure& one : {Measure{"cd_pressure", "", unit * dot(pressure, scales.along)},
+                             Measure{"cd_friction", "", unit * dot(friction, scales.along)},
+                             Measure{"cl_pressure", "", unit * dot(pressure, scales.across())},
+                             Measure{"cl_friction", "", unit * dot(friction, scales.across())},
+                             Measure{"cm_wall", "", unit / scales.length * moment}})
+    measures.push_back(one);
+}
+
 Measures coefficients(const Force& at, const Lately& late, const RateOfChange& rate,
                       const Scales& scales) {
-  return coefficients(-1 * rate(late.impulses) + at.frame,
-                      rate(late.given) + at.friction + at.frame, scales);
+  Measures all = by_routes(-1 * rate(late.impulses) + at.frame,
+                           rate(late.given) + at.friction + at.frame, scales);
+  add_parts_at_wall(all, rate(late.given) + at.frame, at.friction,
+                    rate(late.turned).x + at.friction_moment + at.frame_moment, scales);
+  return all;
 }
 
 /// Every number of a force with its name in a saved state.
@@ -51,6 +67,9 @@ constexpr std::pair<const char*, double& (*)(Force&)> numbers[] = {
     {"force friction_y", [](Force& f) -> double& { return f.friction.y; }},
     {"force frame_x", [](Force& f) -> double& { return f.frame.x; }},
     {"force frame_y", [](Force& f) -> double& { return f.frame.y; }},
+    {"force pressure_moment", [](Force& f) -> double& { return f.pressure_moment; }},
+    {"force friction_moment", [](Force& f) -> double& { return f.friction_moment; }},
+    {"force frame_moment", [](Force& f) -> double& { return f.frame_moment; }},
 };
 
 }  // namespace
@@ -72,8 +91,10 @@ Measures ForceHistory::of_last() const {
                       scales_);
 }
 
-Measures ForceHistory::none() {
-  return coefficients({}, {}, {});
+Measures ForceHistory::none(bool body) {
+  Measures none = by_routes({}, {}, {});
+  if (body) add_parts_at_wall(none, {}, {}, 0, {});
+  return none;
 }
 
 void ForceHistory::save(State& state) const {

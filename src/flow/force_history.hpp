@@ -17,9 +17,11 @@ namespace vortree::flow {
 /// friction  at this time
 /// frame     what both miss where the flow is computed in the frame of a body that speeds up
 ///           (body/motion.hpp)
+/// *_moment  of the last three about the body's centre, anticlockwise [L^4/T^2]
 struct Force {
   double t = 0;
   Vec2 impulse{}, pressure{}, friction{}, frame{};
+  double pressure_moment = 0, friction_moment = 0, frame_moment = 0;
 };
 
 /// Forces of late, and what follows from them: a force is a rate of change, and needs its neighbors
@@ -27,6 +29,9 @@ struct Force {
 ///
 ///   C_D(t_n) = 2/(U^2 D) F_n,   F by impulse = -dP/dt
 ///                               F by the wall = d/dt(what pressure has given) + friction at t_n
+///   C_M(t_n) = 2/(U^2 D^2) M_n, by the wall
+///
+/// The wall's drag and lift have two parts: friction, and pressure with what the frame hides.
 ///
 /// by the parabola in sqrt(t) through three, the last of a run by that which fits the last four
 /// best (base/rate_of_change.hpp), O(dt^2).
@@ -39,14 +44,15 @@ class ForceHistory {
   /// How many are known, four at most.
   std::size_t size() const { return recent_.size(); }
 
-  /// cd_impulse, cd_wall, cl_impulse, cl_wall of the last but one; three must be known.
+  /// cd_impulse, cd_wall, cl_impulse, cl_wall, then cd_pressure, cd_friction, cl_pressure,
+  /// cl_friction and cm_wall of the last but one; three must be known.
   Measures of_last_but_one() const;
 
   /// The same of the last, when no other will come; two must be known.
   Measures of_last() const;
 
-  /// The names with values of 0, for flows without a body.
-  static Measures none();
+  /// The same names with values of 0; for flows without a body the first four.
+  static Measures none(bool body);
 
   void save(State& state) const;
   void restore(const State& state);

@@ -124,7 +124,10 @@ void SphSolver::step(const tree::Phase& phase) {
             .pressure = smooth_pressure_(1 / took * given.pressure, 1 / took * given.by_vorticity,
                                          took, memory),
             .friction = before.friction,
-            .frame = setup_.area * setup_.ambient.motion.at(end).acceleration};
+            .frame = setup_.area * setup_.ambient.motion.at(end).acceleration,
+            .pressure_moment = 1 / took * given.pressure_moment,
+            .friction_moment = before.friction_moment,
+            .frame_moment = moment_of_frame()};
   measure();
 }
 
@@ -206,6 +209,16 @@ void SphSolver::renew_particles() {
   wrap(cloud_, period);
 }
 
+/// Of the force that drives the fluid with the body's centre: it acts on the centroid, and the
+/// divergence of x_k x is 3 x_k.
+double SphSolver::moment_of_frame() const {
+  Vec2 arm;  // int x dA
+  for (std::size_t i = 0; i < cloud_.size(); ++i)
+    if (cloud_.kind[i] == ParticleKind::wall)
+      arm += (setup_.wall_spacing * dot(cloud_.at(i), cloud_.normal(i)) / 3) * cloud_.at(i);
+  return dot(left_of(arm), setup_.ambient.motion.at(time()).acceleration);
+}
+
 /// Force per unit density that the fluid puts on the body: int -p n + nu (grad u + grad u^T) n ds.
 SphSolver::Traction SphSolver::traction() const {
   Traction sum{};
@@ -214,9 +227,13 @@ SphSolver::Traction SphSolver::traction() const {
     const Vec2 n = cloud_.normal(i);
     const auto& [u, v, u_before, v_before, p] = slopes_[i];
     const double ds = setup_.wall_spacing, shear = u.y + v.x;
-    sum.pressure += (-ds * cloud_.p[i]) * n;
-    sum.friction +=
+    const Vec2 push = (-ds * cloud_.p[i]) * n;
+    const Vec2 rub =
         ds * setup_.ambient.nu * Vec2{2 * u.x * n.x + shear * n.y, shear * n.x + 2 * v.y * n.y};
+    sum.pressure += push;
+    sum.friction += rub;
+    sum.pressure_moment += dot(left_of(cloud_.at(i)), push);
+    sum.friction_moment += dot(left_of(cloud_.at(i)), rub);
   }
   if (!wall_vorticity_.empty())
     sum.by_vorticity = by_vorticity_(far_field_, wall_vorticity_, setup_.ambient.nu,

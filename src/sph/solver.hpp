@@ -17,7 +17,8 @@ namespace vortree::sph {
 /// A flow by incompressible SPH of variable resolution: past a body, from the potential flow of the
 /// stream around it on, or in a periodic box, from an initial flow on that fills the plane.
 ///
-/// Forces are those at the wall, of the pressure without its noise (boundary/smooth_pressure.hpp).
+/// Forces are those at the wall, of the pressure without its noise (boundary/smooth_pressure.hpp);
+/// the moment, which has no other route, is of the pressure as it is.
 /// By impulse its rate of change comes from velocities and vorticity of one time
 /// (boundary/vorticity_force.hpp): births, splits and mergers change the impulse itself by some
 /// 1e-3 a step, of which differences in time would make a tenth of the drag.
@@ -65,15 +66,18 @@ class SphSolver final : public flow::Solver {
   const Cloud& cloud() const { return cloud_; }  ///< as seen from the body's centre
 
  private:
-  /// On the body; the pressure's by two routes.
+  /// On the body; the pressure's by two routes. Moments are about the body's centre.
   struct Traction {
     Vec2 pressure{}, friction{}, by_vorticity{};
+    double pressure_moment = 0, friction_moment = 0;
 
     friend Traction operator+(const Traction& a, const Traction& b) {
-      return {a.pressure + b.pressure, a.friction + b.friction, a.by_vorticity + b.by_vorticity};
+      return {a.pressure + b.pressure, a.friction + b.friction, a.by_vorticity + b.by_vorticity,
+              a.pressure_moment + b.pressure_moment, a.friction_moment + b.friction_moment};
     }
     friend Traction operator*(double s, const Traction& a) {
-      return {s * a.pressure, s * a.friction, s * a.by_vorticity};
+      return {s * a.pressure, s * a.friction, s * a.by_vorticity, s * a.pressure_moment,
+              s * a.friction_moment};
     }
     Traction& operator+=(const Traction& a) { return *this = *this + a; }
   };
@@ -102,6 +106,7 @@ class SphSolver final : public flow::Solver {
   void measure_past_body();
   void measure_periodic();
   Traction traction() const;
+  double moment_of_frame() const;
   double bubble_length() const;
 
   SphSetup setup_;

@@ -32,6 +32,7 @@ void SphSolver::save(flow::State& state) const {
                                   smooth_pressure_.mean_of_means.y};
   state["mean_pressure_force"] = {force_.pressure.x, force_.pressure.y};
   state["friction"] = {force_.friction.x, force_.friction.y};
+  state["moments"] = {force_.pressure_moment, force_.friction_moment};
 }
 
 void SphSolver::restore(long steps, const flow::Columns& columns, const flow::State& state) {
@@ -70,7 +71,10 @@ void SphSolver::restore(long steps, const flow::Columns& columns, const flow::St
             .impulse = saved_pair("impulse_given"),
             .pressure = saved_pair("mean_pressure_force"),
             .friction = saved_pair("friction"),
-            .frame = setup_.area * setup_.ambient.motion.at(time()).acceleration};
+            .frame = setup_.area * setup_.ambient.motion.at(time()).acceleration,
+            .pressure_moment = saved_pair("moments").x,
+            .friction_moment = saved_pair("moments").y,
+            .frame_moment = moment_of_frame()};
   measure();
 }
 

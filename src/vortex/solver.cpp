@@ -11,6 +11,7 @@
 #include "vortex/blobs/moments.hpp"
 #include "vortex/tuning.hpp"
 #include "vortex/wall/vorticity.hpp"
+#include "vortex/wall_pressure.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -53,6 +54,8 @@ constexpr std::pair<const char*, double& (*)(Wake&)> of_wake[] = {
     {"wake pressure_y", [](Wake& w) -> double& { return w.pressure.y; }},
     {"wake friction_x", [](Wake& w) -> double& { return w.friction.x; }},
     {"wake friction_y", [](Wake& w) -> double& { return w.friction.y; }},
+    {"wake pressure_moment", [](Wake& w) -> double& { return w.pressure_moment; }},
+    {"wake friction_moment", [](Wake& w) -> double& { return w.friction_moment; }},
     {"wake bubble_length", [](Wake& w) -> double& { return w.bubble_length; }}};
 
 /// Columns of what drifts.
@@ -210,7 +213,16 @@ std::optional<flow::Force> VortexSolver::force() const {
                      .impulse = {moment.y, -moment.x},
                      .pressure = wake_.pressure,
                      .friction = wake_.friction,
-                     .frame = wall()->area() * acceleration_of_centroid()};
+                     .frame = wall()->area() * acceleration_of_centroid(),
+                     .pressure_moment = wake_.pressure_moment,
+                     .friction_moment = wake_.friction_moment,
+                     .frame_moment = moment_of_frame()};
+}
+
+/// Of the force that drives the fluid with the body's centre, which acts on the body's centroid.
+double VortexSolver::moment_of_frame() const {
+  const Vec2 arm = axes_at(time())(wall()->area_moment());
+  return dot(left_of(arm), setup_.problem.flow.motion.at(time()).acceleration);
 }
 
 Vec2 VortexSolver::acceleration_of_centroid() const {
@@ -241,7 +253,7 @@ flow::Samples VortexSolver::sample(tree::Points at) const {
 }
 
 flow::FrameTable VortexSolver::frame_table() const {
-  if (wall()) return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "sheet"}};
+  if (wall()) return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "sheet", "cp", "cf"}};
   return {"energy.csv", {"t", "energy", "enstrophy"}};
 }
 
@@ -254,13 +266,18 @@ std::vector<double> VortexSolver::frame_rows() const {
     return {t, now.energy, now.enstrophy};
   }
   if (steps_ == 0) return {};  // the wall vorticity of an impulsive start is infinite
+  const std::vector<double> pressure = wall_pressure(blobs_, setup_.problem, wake_.pressure_slope);
+  const double as_a_whole = setup_.turning ? 2 * setup_.problem.flow.motion.at(t).rate : 0;
+  const double unit = setup_.scales.length * setup_.scales.of_force();
   const double T = setup_.scales.T(t);
   const Vec2 s = setup_.scales.along;
   const Turn axes = axes_at(t);
   for (std::size_t i = 0; i < wall()->panels(); ++i) {
     const Vec2 d = axes(wall()->middle(i));
     const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
-    rows.insert(rows.end(), {t, T, angle, wake_.wall_vorticity[i], wake_.sheet[i]});
+    const double friction = setup_.problem.flow.nu * (wake_.wall_vorticity[i] - as_a_whole);
+    rows.insert(rows.end(), {t, T, angle, wake_.wall_vorticity[i], wake_.sheet[i],
+                             unit * pressure[i], unit * friction});
   }
   return rows;
 }
@@ -297,6 +314,7 @@ void VortexSolver::save(flow::State& state) const {
   save_numbers(state, of_wake, wake_);
   state["sheet"] = wake_.sheet;
   state["wall_vorticity"] = wake_.wall_vorticity;
+  state["pressure_slope"] = wake_.pressure_slope;
 }
 
 /// What has left. Runs saved when nothing drifted have its moment a step ahead.
@@ -329,6 +347,7 @@ void VortexSolver::restore(long steps, const flow::Columns& columns, const flow:
     restore_numbers(state, of_wake, wake_);
     wake_.sheet = flow::saved(state, "sheet");
     wake_.wall_vorticity = flow::saved(state, "wall_vorticity");
+    wake_.pressure_slope = flow::saved(state, "pressure_slope");
   }
   growth_ = {};
   growth_.add(blobs_.size());

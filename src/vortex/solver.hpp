@@ -19,7 +19,8 @@ namespace vortree::vortex {
 ///           (vortex/blobs/moments.hpp)
 /// counts    released, laid, split, beside_wall, merged (vortex/step.hpp)
 /// drift     beside a wall of the circulation, else of the second moment but for diffusion
-/// table     wall.csv, vorticity and sheet of each panel; or energy.csv of up to 20 000 blobs, for
+/// table     wall.csv, vorticity, sheet, C_p (wall_pressure.hpp) and C_f, the traction along the
+///           anticlockwise tangent, of each panel; or energy.csv of up to 20 000 blobs, for
 ///           the sum is over all pairs
 class VortexSolver final : public flow::Solver {
  public:
@@ -57,6 +58,7 @@ class VortexSolver final : public flow::Solver {
   /// The scene's places are not, bit by bit, those of the blobs.
   bool told_elsewhere() const { return dot(origin(), origin()) > 0 || turns(); }
   Vec2 acceleration_of_centroid() const;
+  double moment_of_frame() const;
   std::optional<Box> box_at(double time) const;
   double time_of(long step) const { return static_cast<double>(step) * setup_.problem.dt; }
   flow::Measures measure() const;

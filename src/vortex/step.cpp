@@ -211,6 +211,9 @@ void add_turning(Wake& wake, const Problem& p, double time) {
   wake.pressure =
       Turn(between.angle)(wake.pressure + pressure_force(driven, *p.wall, p.dt)) -
       1 / p.dt * (now.rate * turn(left_of(arm)) - before.rate * Turn(before.angle)(left_of(arm)));
+  wake.pressure_moment += pressure_moment(driven, *p.wall, p.dt);
+  add(wake.pressure_slope, -1 / p.dt, driven);
+  wake.friction_moment -= 2 * p.flow.nu * now.rate * p.turning->circulation;
   wake.moment = turn(wake.moment + now.rate * p.turning->moment);
   wake.friction = turn(wake.friction);
 }
@@ -237,7 +240,11 @@ Wake cancel_slip(Blobs& blobs, const WallPoints& found, const Problem& p, double
   WallShear shear = wall_shear(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0, found);
   wake.wall_vorticity = std::move(shear.vorticity);
   wake.friction = shear.friction;
+  wake.friction_moment = shear.moment;
   wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
+  wake.pressure_moment = pressure_moment(wake.sheet, *p.wall, p.dt);
+  wake.pressure_slope.resize(p.wall->panels());
+  add(wake.pressure_slope, -1 / p.dt, wake.sheet);
   if (p.turning) add_turning(wake, p, time);
   append(blobs, fresh);
   return wake;
@@ -434,7 +441,8 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
   wake.outflow = whole.outflow;
   wake.drifting = whole.drifting;
   Vec2 pressure;
-  double time = whole.time;
+  double pressure_moment = 0, time = whole.time;
+  std::vector<double> slope(whole.wall ? whole.wall->panels() : 0);
   for (int k = 0; k < parts.count; ++k) {
     Problem p = part_of(whole, parts.length(k), parts.last);
     p.time = time;
@@ -444,10 +452,21 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
     wake.counts = before + wake.counts;
     pressure += parts.length(k) * wake.pressure;
+    pressure_moment += parts.length(k) * wake.pressure_moment;
+    add(slope, parts.length(k), wake.pressure_slope);
     time += p.dt;
   }
   wake.pressure = pressure;
+  wake.pressure_moment = pressure_moment;
+  wake.pressure_slope = std::move(slope);
   return wake;
+}
+
+MovingBlobs moving(const Blobs& blobs, const Problem& p) {
+  MovingBlobs all{with_drifting(blobs, p), {}, Velocities()};
+  all.at = fold(all.blobs, p.wall ? &p.wall->shape() : nullptr);
+  all.u = advecting_velocity(all.blobs, all.at, p, p.time, nullptr);
+  return all;
 }
 
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p) {

@@ -104,14 +104,17 @@ struct StepCounts {
 /// pressure        force on the body during the step, in its own frame, per unit density
 ///                 [m^3/s^2] (motion.hpp)
 /// friction        the same, at the end of the step
+/// pressure_slope  dp/ds along each panel in the body's own frame, its mean over the step [m/s^2]
+/// pressure_moment, friction_moment   of both about the body's centre, anticlockwise [m^4/s^2]
 /// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
 /// outflow         all that has left the box, and `drifting` those of it that are still felt, to be
 ///                 handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
-  std::vector<double> wall_vorticity;
+  std::vector<double> wall_vorticity, pressure_slope;
   Vec2 pressure, friction;
+  double pressure_moment = 0, friction_moment = 0;
   double bubble_length = 0;
   Outflow outflow{};
   Drifting drifting{};
@@ -136,6 +139,16 @@ Wake start(Blobs& blobs, const Problem& problem);
 /// changes the flow as fast as it is young.
 /// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const tree::Phase& phase);
+
+/// Blobs and those that have left and are felt, how the wall folds them, and how they move.
+///
+/// u  of each core as a whole, by stream, blobs and sheet
+struct MovingBlobs {
+  Blobs blobs;
+  FoldedBlobs at;
+  Velocities u;
+};
+MovingBlobs moving(const Blobs& blobs, const Problem& problem);
 
 /// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at
 /// rest.

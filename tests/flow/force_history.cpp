@@ -146,10 +146,44 @@ TEST_CASE("a history that is saved and restored goes on to the same bits, wherev
   }
 }
 
-TEST_CASE("without a body there are the same names, and no force") {
-  const auto none = ForceHistory::none();
+TEST_CASE("pressure, with what the frame hides, and friction add up to the force by the wall") {
+  auto list = forces([](double t) { return t * t; }, 0.02, 6);
+  for (Force& f : list) f.friction = {0.3, -f.t}, f.frame = {0.25 * f.t, -3};
+  for (const Row& row : rows_of(list)) {
+    CHECK(row["cd_pressure"] + row["cd_friction"] == Approx(row["cd_wall"]).epsilon(1e-13));
+    CHECK(row["cl_pressure"] + row["cl_friction"] == Approx(row["cl_wall"]).epsilon(1e-13));
+    CHECK(row["cd_friction"] == Approx(0.6));
+    CHECK(row["cl_friction"] == Approx(-2 * row.t));
+    CHECK(row["cl_pressure"] == Approx(-6));
+  }
+}
+
+TEST_CASE("a moment is the rate of change of what pressure has given, and the others as they are") {
+  const flow::Scales large{.body = true, .length = 2, .speed = 3, .impulsive = true};
+  const double dt = 0.02;
+  std::vector<Force> list;
+  for (int k = 0; k <= 7; ++k) {
+    const double t = k * dt, before = t - dt;
+    const auto given = [](double at) { return 0.7 * std::sqrt(at) + 0.4 * at; };
+    Force f{.t = t, .friction_moment = 0.2 * t, .frame_moment = -0.5};
+    if (k > 0) f.pressure_moment = (given(t) - given(before)) / dt;
+    list.push_back(f);
+  }
+  for (const Row& row : rows_of(list, large)) {
+    const double moment = 0.35 / std::sqrt(row.t) + 0.4 + 0.2 * row.t - 0.5;
+    CHECK(row["cm_wall"] == Approx(moment / (0.5 * 9 * 4)).epsilon(1e-10));
+    CHECK(row["cd_wall"] == 0);
+  }
+}
+
+TEST_CASE("without a body the first names are the same, and there is no force") {
+  const auto none = ForceHistory::none(false), body = ForceHistory::none(true);
   REQUIRE(none.size() == 4);
-  for (const flow::Measure& one : none) CHECK(one.value == 0);
   const auto some = rows_of(forces([](double t) { return t; }, 0.1, 3)).front().of;
-  for (std::size_t k = 0; k < 4; ++k) CHECK(some[k].name == none[k].name);
+  REQUIRE(some.size() == body.size());
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    CHECK(some[k].name == body[k].name);
+    CHECK(body[k].value == 0);
+    if (k < none.size()) CHECK(none[k] == body[k]);
+  }
 }

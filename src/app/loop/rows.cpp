@@ -31,10 +31,14 @@ std::vector<std::string> Rows::seconds_names() const {
 
 std::vector<std::string> Rows::names() const {
   std::vector<std::string> list{"t", "T"};
-  for (const flow::Measures& some : {solver_.measures(), flow::ForceHistory::none()})
+  for (const flow::Measures& some : {solver_.measures(), no_force()})
     for (const flow::Measure& one : some) list.push_back(one.name);
   for (const std::string& name : seconds_names()) list.push_back(name);
   return list;
+}
+
+flow::Measures Rows::no_force() const {
+  return flow::ForceHistory::none(solver_.force().has_value());
 }
 
 Rows::Row Rows::now(std::vector<double> seconds) const {
@@ -54,13 +58,12 @@ void Rows::add(const std::vector<double>& seconds, const Write& write) {
   known_ = std::min(known_ + 1, 3);
   const auto force = solver_.force();
   if (force) forces_.add(*force);
-  if (known_ == 3)
-    write(whole(before, force ? forces_.of_last_but_one() : flow::ForceHistory::none()));
+  if (known_ == 3) write(whole(before, force ? forces_.of_last_but_one() : no_force()));
 }
 
 void Rows::finish(const Write& write) const {
   if (known_ < 2) return;
-  write(whole(waiting_, forces_.size() ? forces_.of_last() : flow::ForceHistory::none()));
+  write(whole(waiting_, forces_.size() ? forces_.of_last() : no_force()));
 }
 
 void Rows::save(flow::State& state) const {

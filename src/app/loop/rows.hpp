@@ -9,9 +9,9 @@
 namespace vortree::app {
 
 /// The rows of report.csv: t, T = U t/R, what the method measures, the coefficients of the body's
-/// force (0 without one), seconds since the start and by phase of the step. A row waits for the
-/// step after it, since a force is a rate of change; that of the start, which has no force, is left
-/// out.
+/// force (without one 0, and fewer), seconds since the start and by phase of the step. A row waits
+/// for the step after it, since a force is a rate of change; that of the start, which has no force,
+/// is left out.
 ///
 /// solver  the flow that is measured; it outlives the rows
 class Rows {
@@ -46,6 +46,7 @@ class Rows {
   };
 
   std::vector<std::string> seconds_names() const;
+  flow::Measures no_force() const;
   Row now(std::vector<double> seconds) const;
   std::vector<double> whole(const Row& row, const flow::Measures& coefficients) const;
 

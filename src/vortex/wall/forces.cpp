@@ -32,6 +32,7 @@ void add_blob(const Blobs& blobs, std::size_t j, body::WallPoint nearest, double
               const AlongWall& along, WallShear& shear) {
   if (nearest.distance == INFINITY) return;
   const Covariance v = blobs.core(j).covariance(nearest.normal);
+  const Vec2 at_wall = blobs.centre(j) - nearest.distance * nearest.normal;
   nearest.distance = height(nearest, v);
   const double across = std::sqrt(2 * v.nn);
   if (!folded::applies(nearest.distance, across)) return;
@@ -39,6 +40,7 @@ void add_blob(const Blobs& blobs, std::size_t j, body::WallPoint nearest, double
       vortex::trace(CoreAtWall{blobs.gamma[j], nearest, across, std::sqrt(2 * v.tt)});
   along.add(trace, shear.vorticity);
   shear.friction += (nu * trace.amount) * nearest.tangent();
+  shear.moment += nu * trace.amount * dot(at_wall, nearest.normal);
 }
 
 /// What the last sheet does.
@@ -48,6 +50,7 @@ void add_sheet(std::span<const double> sheet, const Wall& wall, double nu, doubl
   for (std::size_t i = 0; i < sheet.size(); ++i) {
     along.add({fresh * sheet[i] * b, (static_cast<double>(i) + 0.5) * b, 0}, shear.vorticity);
     shear.friction += (nu * fresh * sheet[i] * b) * wall.tangent(i);
+    shear.moment += nu * fresh * sheet[i] * b * dot(left_of(wall.middle(i)), wall.tangent(i));
   }
 }
 
@@ -56,6 +59,7 @@ void add_sheet(std::span<const double> sheet, const Wall& wall, double nu, doubl
 WallShear& WallShear::operator+=(const WallShear& other) {
   for (std::size_t i = 0; i < vorticity.size(); ++i) vorticity[i] += other.vorticity[i];
   friction += other.friction;
+  moment += other.moment;
   return *this;
 }
 
@@ -77,6 +81,13 @@ WallShear wall_shear(const Blobs& blobs, std::span<const double> sheet, const Wa
 Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt) {
   const Vec2 moment = wall.first_moment(sheet);
   return {-moment.y / dt, moment.x / dt};
+}
+
+double pressure_moment(std::span<const double> sheet, const Wall& wall, double dt) {
+  double sum = 0;
+  for (std::size_t i = 0; i < sheet.size(); ++i)
+    sum += sheet[i] * dot(wall.middle(i), wall.middle(i));
+  return wall.panel_length() / (2 * dt) * sum;
 }
 
 }  // namespace vortree::vortex

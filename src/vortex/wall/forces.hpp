@@ -10,9 +10,14 @@ namespace vortree::vortex {
 /// vorticity  at the wall, a value a panel [1/s], smoothed along it (along_wall.hpp)
 /// friction   force per unit density [m^3/s^2]: nu int omega t ds of the same vorticity, each
 ///            core's integral along the wall in closed form, nothing smoothed
+/// moment     of it about the origin, anticlockwise [m^4/s^2]: nu int omega x.n ds
+///
+/// A wall that turns at the rate Omega is sheared by omega - 2 Omega only, since what turns as a
+/// whole shears nothing: that leaves the force as it is, and takes 4 nu Omega A from the moment.
 struct WallShear {
   std::vector<double> vorticity;
   Vec2 friction;
+  double moment = 0;
 
   WallShear& operator+=(const WallShear& other);
 };
@@ -39,5 +44,10 @@ WallShear wall_shear(const Blobs& blobs, std::span<const double> sheet, const Wa
 ///
 /// source  Koumoutsakos & Leonard, J. Fluid Mech. 296 (1995)
 Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt);
+
+/// Its moment about the origin, anticlockwise [m^4/s^2]:
+///
+///   M = int p x.t ds = -1/2 int |x|^2 dp/ds ds = sum gamma b |x|^2/(2 dt)
+double pressure_moment(std::span<const double> sheet, const Wall& wall, double dt);
 
 }  // namespace vortree::vortex

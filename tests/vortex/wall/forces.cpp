@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "body/shapes/circle.hpp"
+#include "body/shapes/ellipse.hpp"
 #include "vortex/cylinder_flow.hpp"
 #include "vortex/flows.hpp"
 #include "vortex/step.hpp"
@@ -198,4 +199,58 @@ TEST_CASE("the friction of a sheet of sin theta is that of its wall vorticity, a
   const Vec2 force = wall_shear({}, sheet, wall, nu, dt, sigma_0).friction;
   CHECK(force.x == Approx(nu * even * pi * radius).epsilon(1e-6));
   CHECK(std::abs(force.y) < 1e-14);
+}
+
+TEST_CASE("the moment of a sheet's pressure is that of the pressure, summed panel by panel") {
+  const Vec2 centre{0.3, -0.2};
+  const Wall wall(body::ellipse(centre, 0.5, 0.2, 0.4), 400);
+  const double b = wall.panel_length();
+  std::vector<double> sheet;
+  double sum = 0;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const double turn = 2 * pi * (static_cast<double>(i) + 0.5) / 400;
+    sheet.push_back(std::sin(turn) + 0.4 * std::cos(2 * turn) + 0.3 * std::sin(3 * turn));
+    sum += sheet.back();
+  }
+  REQUIRE(std::abs(sum) < 1e-12);
+  double pressure = 0, moment = 0;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const Vec2 x = wall.middle(i), t = wall.tangent(i), normal{t.y, -t.x};
+    const double at_middle = pressure - sheet[i] / dt * b / 2;
+    moment += -at_middle * b * (x.x * normal.y - x.y * normal.x);
+    pressure -= sheet[i] / dt * b;
+  }
+  CHECK(pressure_moment(sheet, wall, dt) == Approx(moment).epsilon(1e-3));  // of (b/D)^2
+}
+
+TEST_CASE("a circle's pressure has no moment about its centre, about any other that of its force") {
+  const Vec2 centre{0.3, 0.4};
+  const Wall here = wall_of(90), there(body::circle(centre, radius), 90);
+  std::vector<double> sheet;
+  for (std::size_t i = 0; i < here.panels(); ++i) {
+    const double theta = test::polar_angle(here.middle(i));
+    sheet.push_back(3 * std::sin(theta) + 2 * std::cos(theta) + std::cos(2 * theta));
+  }
+  const Vec2 force = pressure_force(sheet, here, dt);
+  CHECK(std::abs(pressure_moment(sheet, here, dt)) < 1e-12);
+  CHECK(pressure_moment(sheet, there, dt) ==
+        Approx(centre.x * force.y - centre.y * force.x).epsilon(1e-12));
+}
+
+TEST_CASE("the moment of friction is that of the wall vorticity along an ellipse") {
+  // Of a layer as thin as its walls are flat; the twin sums what it makes of the wall vorticity.
+  const Wall wall(body::ellipse({0.1, 0.2}, 0.5, 0.25, 0.3), 400);
+  const double b = wall.panel_length(), sigma = 0.01;
+  Blobs blobs;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const double turn = 2 * pi * (static_cast<double>(i) + 0.5) / 400;
+    blobs.append(wall.middle(i), (0.3 + std::sin(turn) + std::cos(2 * turn)) * b, sigma);
+  }
+  const auto shear = wall_shear(blobs, std::vector<double>(400), wall, nu, dt, sigma_0);
+  double moment = 0;
+  for (std::size_t i = 0; i < wall.panels(); ++i) {
+    const Vec2 x = wall.middle(i), t = wall.tangent(i);
+    moment += nu * shear.vorticity[i] * b * (x.x * t.y - x.y * t.x);
+  }
+  CHECK(shear.moment == Approx(moment).epsilon(2e-3));
 }

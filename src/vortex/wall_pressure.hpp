@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "vortex/step.hpp"
+
+namespace vortree::vortex {
+
+/// Pressure at the middle of each panel beyond that far away, per unit density [m^2/s^2].
+///
+/// Along the wall it is the integral of its slope in the frame of the body, less what drives the
+/// fluid with that frame, X''.x. Its level follows from velocity and vorticity of one time, exactly
+/// and however the flow changes. By the momentum equation in the form of Lamb and Gromeka
+///
+///   lap h = div(u x omega),   h = p + |u|^2/2 - |U|^2/2 -> 0 far away,
+///
+/// U the stream and u the velocity as the body's centre sees them. Let Phi be harmonic outside the
+/// body, 0 on it and as ln r far away; turned by a quarter, grad Phi is the flow V that circles the
+/// body with circulation 2 pi, and w = dPhi/dn its speed on the wall. Green's second identity of h
+/// and Phi leaves no unknown, since neither dh/dn nor a rate of change is weighted by more than 0:
+///
+///   1/(2 pi) oint w h ds = -1/(2 pi) int omega u.V dA = -1/(2 pi) sum gamma_i u_i.V(x_i),
+///
+/// and on the wall u = Omega e x x. (Of a circle w = 1/R: the mean of the pressure.)
+///
+/// slope  dp/ds along each panel, its mean over the last step (Wake::pressure_slope); the level is
+///        that at the step's end
+/// error  of the level: O(core^2), for u.V is taken at the middle of cores; 0.0036 U^2 where those
+///        that are released are a seventh of a layer sqrt(4 nu t), 0.0010 where they are a
+///        fourteenth (tests/vortex/wall_pressure.cpp); of the slope that of a step: O(dt)
+/// cost   that of one velocity of all blobs
+std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
+                                  std::span<const double> slope);
+
+/// 1/(2 pi) oint w p ds of that pressure.
+double pressure_level(const Blobs& blobs, const Problem& problem);
+
+}  // namespace vortree::vortex
