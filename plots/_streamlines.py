@@ -2,12 +2,153 @@
 
 import numpy as np
 from _style import INK
+from contourpy import contour_generator
+from matplotlib.collections import LineCollection
+from matplotlib.path import Path
 
 OUTSIDE, INSIDE = 0.2, 0.08  # of the closed wake: a line every so many U R
+EDGE = 0.06  # of a vortex's own psi: its outermost line
+MOST, APART = 7, 0.055  # lines around a vortex, and how far apart they are, at least, on average
+BAND, LAYER = 0.3, 0.08  # R: how far the wall is told, and where psi is as the square of that
+FINE = 0.01  # R: no grid coarser than that
+FAINT = 1e-3  # vortices of less are not told from noise, U R
+PEN = {"colors": INK, "alpha": 0.85, "capstyle": "round", "joinstyle": "round"}
 
 
-def streamlines(axes, field, along):
-    """Lines of equal stream function, psi = integral of u dy - v dx, zero on the body.
+def streamlines(axes, field, wall):
+    """Lines of equal stream function: those that come from far, the dividing ones, psi = 0, and
+    around each closed vortex some of its own, so that weak ones are seen, too.
+
+    field: grids in units of the body's radius, from its centre, and of the stream's speed, psi 0 on
+    the wall; wall: the body's outline.
+    """
+    x, y, psi, dividing = refined(field, wall)
+    lines = contour_generator(x, y, psi)
+    ladder = np.arange(OUTSIDE / 2, np.abs(psi).max(), OUTSIDE)
+    draw(axes, [line for level in np.r_[-ladder, ladder] for line in lines.lines(level)
+                if not closes(line)], 0.6)
+    draw(axes, around_vortices(lines, x, y, psi), 0.6)
+    draw(axes, contour_generator(x, y, dividing).lines(0), 1.0)
+
+
+def draw(axes, lines, width):
+    axes.add_collection(LineCollection(lines, linewidths=width, **PEN), autolim=False)
+
+
+def closes(line):
+    return np.array_equal(line[0], line[-1])
+
+
+def refined(field, wall):
+    """x, y, psi on a grid fine enough for smooth lines, psi 0 within the body, and what changes sign
+    with psi up to the wall: beside it psi is quadratic in the distance d, and psi/(1 - exp(-(d/c)^2))
+    neither small nor steep."""
+    x, y, psi = (field[name] for name in ("x", "y", "psi"))
+    off = distance(*np.meshgrid(x, y), wall)
+    near = off < 0.3 * (x[1] - x[0])
+    smooth = gone_on(np.where(near, np.nan, psi / np.where(near, 1, of_wall(off))))
+    off = np.minimum(off, BAND)
+    while x[1] - x[0] > FINE:
+        x, y = halved(x), halved(y)
+        smooth, off = (halved(halved(one.T).T) for one in (smooth, off))
+    return x, y, smooth * of_wall(off), smooth
+
+
+def of_wall(off):
+    return 1 - np.exp(-(np.maximum(off, 0) / LAYER) ** 2)
+
+
+def halved(values):
+    """With a value more between each two of the last axis, by cubics."""
+    left, right = values[..., :-1], values[..., 1:]
+    middle = (left + right) / 2
+    middle[..., 1:-1] = (9 * (left + right)[..., 1:-1] - left[..., :-2] - right[..., 2:]) / 16
+    both = np.empty(values.shape[:-1] + (2 * values.shape[-1] - 1,))
+    both[..., ::2], both[..., 1::2] = values, middle
+    return both
+
+
+def gone_on(values):
+    """What is not known, from the neighbors that are, for four cells; beyond that 0."""
+    for _ in range(4):
+        known = np.pad(values, 1, constant_values=np.nan)
+        rows, columns = values.shape
+        around = np.stack([known[i:i + rows, j:j + columns] for i in range(3) for j in range(3)])
+        count = np.isfinite(around).sum(0)
+        mean = np.nansum(around, 0) / np.maximum(count, 1)
+        values = np.where(np.isfinite(values), values, np.where(count > 0, mean, np.nan))
+    return np.nan_to_num(values)
+
+
+def distance(X, Y, wall):
+    """From the outline, negative within; BAND if farther."""
+    at = np.c_[X.ravel(), Y.ravel()]
+    far = np.full(len(at), BAND)
+    near = np.flatnonzero(np.all((at > wall.min(0) - BAND) & (at < wall.max(0) + BAND), axis=1))
+    for some in np.array_split(near, 1 + near.size // 5000):
+        far[some] = np.minimum(BAND, to_segments(at[some], wall))
+    far[near[Path(wall).contains_points(at[near])]] *= -1
+    return far.reshape(X.shape)
+
+
+def to_segments(at, wall):
+    """From points to the two segments beside the nearest corner."""
+    corners = wall[:-1]
+    nearest = ((at[:, None] - corners) ** 2).sum(2).argmin(1)
+    found = np.full(len(at), np.inf)
+    for first in (nearest - 1, nearest):
+        begin, way = corners[first], wall[first % len(corners) + 1] - corners[first]
+        share = np.clip(((at - begin) * way).sum(1) / (way ** 2).sum(1), 0, 1)
+        found = np.minimum(found, np.hypot(*(at - begin - share[:, None] * way).T))
+    return found
+
+
+def around_vortices(lines, x, y, psi):
+    """Closed lines at some shares of the psi of each vortex; of one that lies in the outskirts of a
+    stronger one, none."""
+    found, taken, stronger = [], [], []
+    for row, column in peaks(psi):
+        centre, peak = (x[column], y[row]), psi[row, column]
+        whole = next((p for p in map(Path, loops(lines, EDGE * peak)) if p.contains_point(centre)),
+                     None)
+        if whole is None or any(edge.contains_point(centre) for edge in taken) \
+                or any(whole.contains_point(other) for other in stronger):
+            continue
+        taken.append(whole)
+        stronger.append(centre)
+        found.append(whole.vertices)
+        count = min(MOST, round(half_width(whole.vertices) / APART))
+        inwards = np.arange(1, count) / count  # evenly in space, of a psi that is round at its peak
+        for level in peak * (1 - (1 - EDGE) * (1 - inwards) ** 1.5):
+            found += [line for line in loops(lines, level) if whole.contains_point(line[0])]
+    return found
+
+
+def loops(lines, level):
+    return [line for line in lines.lines(level) if closes(line) and len(line) > 8]
+
+
+def half_width(loop):
+    """Twice the area by the perimeter: a circle's radius."""
+    x, y = loop.T
+    ahead = np.diff(loop, axis=0)
+    return abs(np.sum(x[:-1] * ahead[:, 1] - y[:-1] * ahead[:, 0])) / np.hypot(*ahead.T).sum()
+
+
+def peaks(psi):
+    """Places where |psi| is larger than all around, the largest first."""
+    size = np.abs(psi)
+    inner = size[1:-1, 1:-1]
+    around = [size[1 + i:size.shape[0] - 1 + i, 1 + j:size.shape[1] - 1 + j]
+              for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
+    rows, columns = np.nonzero((inner > np.max(around, axis=0)) & (inner > FAINT))
+    order = np.argsort(-inner[rows, columns])
+    return [(row + 1, column + 1) for row, column in zip(rows[order], columns[order])]
+
+
+def integrated_streamlines(axes, field, along):
+    """Lines of equal stream function past a circle, psi = integral of u dy - v dx, zero on the body,
+    of fields that have none.
 
     field: grids in units of the body's radius, from its centre, and of the stream's speed, the
     velocity zero inside the body; along: direction of the stream.

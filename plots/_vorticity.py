@@ -8,7 +8,8 @@ def in_units(fields, length=1.0, centre=(0.0, 0.0), speed=1.0):
     """From the body's centre, in units of its radius and the stream."""
     return [{"x": (f["x"] - centre[0]) / length, "y": (f["y"] - centre[1]) / length,
              "u": f["u"] / speed, "v": f["v"] / speed, "omega": f["omega"] * length / speed,
-             "time": f["time"] * speed / length} for f in fields]
+             "time": f["time"] * speed / length,
+             **({"psi": f["psi"] / (speed * length)} if "psi" in f else {})} for f in fields]
 
 
 def scale(fields):

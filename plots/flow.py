@@ -3,7 +3,7 @@
 import numpy as np
 from _colours import COLOURS, UPPER
 from _outline import is_circle, outline
-from _streamlines import streamlines
+from _streamlines import integrated_streamlines, streamlines
 from _style import Nothing, figure, main
 from _vorticity import in_units, rounded, scale, vorticity
 from matplotlib.colors import TwoSlopeNorm
@@ -27,8 +27,10 @@ def draw(run):
         picture = vorticity(axes, field, circle, paint)
         even = not {"plunge", "initial"} & set(run.scene)  # on both sides of the stream
         closed = run.stream.any() and "strouhal" not in run.check and even
-        if circle and closed:  # closed wakes only
-            streamlines(axes, field, run.stream / run.speed)
+        if body and closed and "psi" in field:  # closed wakes only
+            streamlines(axes, field, outline(run).get_xy())
+        elif circle and closed:
+            integrated_streamlines(axes, field, run.stream / run.speed)
         if body:
             axes.add_patch(outline(run, field["time"] * run.body[0] / run.speed))
         axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$"

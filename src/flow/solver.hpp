@@ -89,6 +89,10 @@ class Solver {
   /// Velocity and vorticity at points; both 0 within a body.
   virtual Samples sample(tree::Points at) const = 0;
 
+  /// Stream function [L^2/T] of that velocity, u = d psi/dy, v = -d psi/dx; its mean along a wall
+  /// is 0, and within a body that turns it is the body's own. Empty of methods that tell none.
+  virtual std::vector<double> stream_function(tree::Points) const { return {}; }
+
   virtual FrameTable frame_table() const = 0;
   virtual std::vector<double> frame_rows() const = 0;  ///< of the flow as it is, one after another
 

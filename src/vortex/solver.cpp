@@ -9,6 +9,7 @@
 #include "flow/near_wake.hpp"
 #include "vortex/blobs/energy.hpp"
 #include "vortex/blobs/moments.hpp"
+#include "vortex/stream_function.hpp"
 #include "vortex/tuning.hpp"
 #include "vortex/wall/vorticity.hpp"
 #include "vortex/wall_pressure.hpp"
@@ -250,6 +251,15 @@ flow::Samples VortexSolver::sample(tree::Points at) const {
     if (shape()->nearest({x[k], y[k]}).distance < 0) u.u[k] = u.v[k] = 0;
   to_scene(u.u, u.v, setup_.origin.drift);
   return {std::move(u.u), std::move(u.v), std::move(omega)};
+}
+
+std::vector<double> VortexSolver::stream_function(tree::Points at) const {
+  std::vector<double> x(at.x.begin(), at.x.end()), y(at.y.begin(), at.y.end());
+  from_scene(x, y, origin());
+  std::vector<double> psi = stream_function_at({x, y}, blobs_, setup_.problem);
+  const Vec2 drift = setup_.origin.drift;
+  for (std::size_t k = 0; k < psi.size(); ++k) psi[k] += drift.x * at.y[k] - drift.y * at.x[k];
+  return psi;
 }
 
 flow::FrameTable VortexSolver::frame_table() const {

@@ -481,4 +481,17 @@ Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& p
   return u;
 }
 
+Acting acting(const Blobs& blobs, const Problem& p) {
+  const Blobs all = with_drifting(blobs, p);
+  if (!p.wall) {
+    Blobs parts = Halves(all).parts;
+    return {
+        std::move(parts.x), std::move(parts.y), std::move(parts.gamma), std::move(parts.sigma), {}};
+  }
+  FoldedBlobs at = fold(all, &p.wall->shape());
+  std::vector<double> sheet = with_sheet({}, all, at, p, p.time).sheet;
+  return {std::move(at.x), std::move(at.y), all.gamma, std::move(at.sigma),
+          with_turning(std::move(sheet), p, Around(p, p.time))};
+}
+
 }  // namespace vortree::vortex

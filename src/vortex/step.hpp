@@ -154,4 +154,12 @@ MovingBlobs moving(const Blobs& blobs, const Problem& problem);
 /// rest.
 Velocities velocity_at(tree::Points points, const Blobs& blobs, const Problem& problem);
 
+/// What moves fluid there, besides the stream: blobs as they act, those that drift among them, and
+/// the sheet, empty without a wall, with that of a body that turns.
+struct Acting {
+  std::vector<double> x, y, gamma, sigma, sheet;
+};
+
+Acting acting(const Blobs& blobs, const Problem& problem);
+
 }  // namespace vortree::vortex

@@ -36,6 +36,9 @@ inline constexpr double whole_until = 5, felt_until = 10;
 inline constexpr double merged_unfelt = 1e-5;
 /// No more of them drift than so many, whatever the body feels; a wake has a tenth of them.
 inline constexpr std::size_t most_drifting = 300;
+/// Stream functions are summed to so much of them: between streamlines of a weak vortex beside the
+/// wall lie 1e-3 of U R. Digits cost little, for only pictures have them.
+inline constexpr double stream_function_tolerance = 1e-7;
 /// Blobs of which a frame still tells the energy, a sum over all pairs: 2e8 of them.
 inline constexpr std::size_t most_for_energy = 20'000;
 

@@ -27,7 +27,8 @@ io::Field picture(const flow::Solver& solver, const flow::OutputSettings& output
           .y = rows,
           .u = std::move(found.u),
           .v = std::move(found.v),
-          .omega = std::move(found.omega)};
+          .omega = std::move(found.omega),
+          .psi = solver.stream_function({x, y})};
 }
 
 }  // namespace vortree::app

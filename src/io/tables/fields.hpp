@@ -8,11 +8,12 @@
 
 namespace vortree::io {
 
-/// Velocity and vorticity on a grid, for pictures. x and y are the axes; u, v, omega are row-major
-/// [y.size()][x.size()].
+/// Velocity, vorticity and, if the method tells one, the stream function on a grid, for pictures. x
+/// and y are the axes; u, v, omega, psi are row-major [y.size()][x.size()]. Without a stream
+/// function psi is empty.
 struct Field {
   double time = 0;
-  std::vector<double> x, y, u, v, omega;
+  std::vector<double> x, y, u, v, omega, psi{};
   bool operator==(const Field&) const = default;
 };
 

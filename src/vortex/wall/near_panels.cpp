@@ -88,6 +88,35 @@ Vec2 NearPanels::correction(Vec2 at, double arc, std::span<const double> sheet) 
   return {sum(x), sum(y)};
 }
 
+double NearPanels::stream_correction(Vec2 at, double arc, std::span<const double> sheet) const {
+  const std::size_t first = first_place(arc);
+  Lanes psi{};
+  for (std::size_t k = 0; k < filled; k += lane_count) {
+    const std::size_t p = first + k;
+    const panel::Vectors a = load_vectors(begin_, p), b = load_vectors(end_, p),
+                         middle = load_vectors(middle_, p);
+    const panel::Vectors out{(2.0 / 3) * (middle.x - 0.5 * (a.x + b.x)),
+                             (2.0 / 3) * (middle.y - 0.5 * (a.y + b.y))};
+    const Lanes exact =
+        panel::stream_functions(at, {a.x + out.x, a.y + out.y}, {b.x + out.x, b.y + out.y});
+    const Lanes strength = load(&sheet[p]) * load(&counts_[k]);
+    psi += strength * length_ * (exact - panel::point_stream_functions(at, middle));
+  }
+  const double owed = slope_at_end(at, first + window + aside(), true, sheet) -
+                      slope_at_end(at, first + window - aside(), false, sheet);
+  return sum(psi) - length_ * length_ / 24 * owed;
+}
+
+/// How -gamma ln r/(2 pi) changes along the wall at the beginning of a window, that of the panel at
+/// this place, or at the end of its last.
+double NearPanels::slope_at_end(Vec2 at, std::size_t place, bool last,
+                                std::span<const double> sheet) const {
+  const Column& ends = last ? end_ : begin_;
+  const Vec2 d = Vec2{ends.x[place], ends.y[place]} - at;
+  const double gamma = 1.5 * sheet[place] - 0.5 * sheet[last ? place - 1 : place + 1];
+  return -panel::inverse_two_pi * gamma * dot(d, {chord_.x[place], chord_.y[place]}) / dot(d, d);
+}
+
 void NearPanels::add_missed(Vec2 at, double arc, double gamma, std::span<double> missed) const {
   const std::size_t first = first_place(arc);
   for (std::size_t k = 0; k < filled; k += lane_count) {

@@ -44,6 +44,16 @@ inline Vec2 velocity(Vec2 at, Vec2 a, Vec2 b) {
   return {parallel * t.x - across * t.y, parallel * t.y + across * t.x};
 }
 
+/// Stream function of a straight sheet of circulation 1 in all from a to b, -1/(2 pi) times the
+/// mean of ln r along it.
+inline double stream_function(Vec2 at, Vec2 a, Vec2 b) {
+  const Vec2 p = at - a, q = at - b, d = b - a;
+  const double length = std::sqrt(dot(d, d)), p2 = dot(p, p), q2 = dot(q, q);
+  const auto end = [&](Vec2 r, double r2) { return r2 > 0 ? 0.5 * dot(r, d) * std::log(r2) : 0; };
+  const double beside = (d.x * p.y - d.y * p.x) * angle(at, a, b);
+  return -inverse_two_pi * ((end(p, p2) - end(q, q2) + std::abs(beside)) / (length * length) - 1);
+}
+
 /// The same in vectors, a panel a lane.
 
 struct Vectors {
@@ -82,6 +92,26 @@ inline Vectors velocities(Vec2 at, Vectors a, Vectors b, Vectors chord) {
   const Lanes across = (0.5 * inverse_two_pi) * fmm::logarithm(dot(p, p) / dot(q, q));
   const Lanes parallel = -inverse_two_pi * angles(at, a, b);
   return {parallel * chord.x - across * chord.y, parallel * chord.y + across * chord.x};
+}
+
+/// ln r^2, 0 at r = 0.
+inline Lanes finite_logarithm(Lanes r2) {
+  return fmm::logarithm(r2 > 0.0 ? r2 : fill(1.0));
+}
+
+/// twin  stream_function
+inline Lanes stream_functions(Vec2 at, Vectors a, Vectors b) {
+  const Vectors p = at - a, q = at - b, d{b.x - a.x, b.y - a.y};
+  const Lanes ends =
+      0.5 * (dot(p, d) * finite_logarithm(dot(p, p)) - dot(q, d) * finite_logarithm(dot(q, q)));
+  const Lanes beside = (p.x * d.y - p.y * d.x) * angle_of(p.x * q.y - p.y * q.x, dot(p, q));
+  return -inverse_two_pi * ((ends + (beside < 0.0 ? -beside : beside)) / dot(d, d) - 1.0);
+}
+
+/// Of a bare vortex of circulation 1; none at its own place, as sums have it.
+inline Lanes point_stream_functions(Vec2 at, Vectors source) {
+  const Vectors d = at - source;
+  return (-0.5 * inverse_two_pi) * finite_logarithm(dot(d, d));
 }
 
 }  // namespace vortree::vortex::panel

@@ -160,6 +160,24 @@ void Wall::add_velocity(std::span<const double> sheet, const fmm::Options& sums,
   }
 }
 
+void Wall::add_stream_function(std::span<const double> sheet, const fmm::Options& sums,
+                               tree::Points targets, std::span<double> psi) const {
+  std::vector<double> circulation(sheet.begin(), sheet.end()), of_points(targets.size());
+  for (double& g : circulation) g *= length_;
+  fmm::Plan({middle_x_, middle_y_, circulation, {}}, sums)
+      .stream_function(fmm::Targets{targets.x, targets.y, {}}, of_points);
+  const std::vector<double> wrapped = near_->wrapped(sheet);
+  const auto count = static_cast<std::ptrdiff_t>(targets.size());
+#pragma omp parallel for schedule(dynamic, wall_points_a_turn)
+  for (std::ptrdiff_t t = 0; t < count; ++t) {
+    const Vec2 at{targets.x[t], targets.y[t]};
+    const body::WallPoint w = WallPoints().nearest(t, at, exact_within * length_, shape_.get());
+    psi[t] += of_points[t];
+    if (std::abs(w.distance) < exact_within * length_)
+      psi[t] += near_->stream_correction(at, w.arc, wrapped);
+  }
+}
+
 double Wall::area() const {
   double sum = 0;
   for (std::size_t i = 0; i < panels(); ++i)

@@ -61,6 +61,14 @@ class Wall {
   void add_velocity(std::span<const double> sheet, const fmm::Options& sums, tree::Points targets,
                     Velocities& u, const WallPoints& found = WallPoints()) const;
 
+  /// Adds the stream function of a sheet at points of the fluid and on the wall,
+  ///
+  ///   psi = -1/(2 pi) int gamma ln r ds,
+  ///
+  /// of panels as point vortices from afar, as integrals near.
+  void add_stream_function(std::span<const double> sheet, const fmm::Options& sums,
+                           tree::Points targets, std::span<double> psi) const;
+
   /// Of the body [m^2], and int x dA over it [m^3].
   double area() const;
   Vec2 area_moment() const;

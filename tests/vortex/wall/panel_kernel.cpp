@@ -51,6 +51,40 @@ TEST_CASE("a panel's angle and velocity are the same in vectors and alone") {
   }
 }
 
+TEST_CASE("the stream function of a panel is the mean of that of vortices, alone and in vectors") {
+  bench::Uniform uniform(29);
+  const auto place = [&] { return Vec2{uniform() - 0.5, uniform() - 0.5}; };
+  const auto all = [](Vec2 a) { return panel::Vectors{fill(a.x), fill(a.y)}; };
+  for (int k = 0; k < 200; ++k) {
+    const Vec2 a = place(), b = place(), at = k % 2 ? place() : place() + Vec2{2, 0};
+    const double one = panel::stream_function(at, a, b);
+    CHECK(panel::stream_functions(at, all(a), all(b))[0] == Approx(one).margin(1e-13));
+    CHECK(panel::point_stream_functions(at, all(a))[0] ==
+          Approx(-panel::inverse_two_pi * std::log(std::sqrt(dot(at - a, at - a)))).margin(1e-14));
+    if (k % 2) continue;
+    constexpr int n = 200;  // Simpson's rule, of a panel that is not near
+    double mean = 0;
+    for (int j = 0; j <= n; ++j) {
+      const Vec2 d = at - a - (j / double{n}) * (b - a);
+      mean += (j == 0 || j == n ? 1 : j % 2 ? 4 : 2) / (3.0 * n) * std::log(std::sqrt(dot(d, d)));
+    }
+    CHECK(one == Approx(-panel::inverse_two_pi * mean).margin(1e-11));
+  }
+}
+
+TEST_CASE("the stream function of a panel is finite on it, also at its ends") {
+  const auto all = [](Vec2 a) { return panel::Vectors{fill(a.x), fill(a.y)}; };
+  const Vec2 a{1, 2},
+      b{1.5, 2};  // the mean of ln s from an end is ln L - 1, in the middle ln L/2 - 1
+  for (const Vec2 at : {a, b, Vec2{1.25, 2}}) {
+    const double mean = std::log(at.x == 1.25 ? 0.25 : 0.5) - 1;
+    CHECK(panel::stream_function(at, a, b) == Approx(-panel::inverse_two_pi * mean).epsilon(1e-14));
+    CHECK(panel::stream_functions(at, all(a), all(b))[0] ==
+          Approx(-panel::inverse_two_pi * mean).epsilon(1e-14));
+  }
+  CHECK(panel::point_stream_functions(a, all(a))[0] == 0);
+}
+
 TEST_CASE("what three points see of a panel is the same in vectors, alone, and by each point") {
   bench::Uniform uniform(23);
   const auto place = [&] { return Vec2{uniform() - 0.5, 0.3 * uniform()}; };

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "vortex/step.hpp"
+
+namespace vortree::vortex {
+
+/// Stream function of the velocity at points: u = d psi/dy, v = -d psi/dx, with
+///
+///   psi = U y - V x - sum_j gamma_j/(2 pi) (ln r + E1(r^2/sigma_j^2)/2)
+///         - 1/(2 pi) int gamma ln r ds,
+///
+/// stream, blobs and sheet. Beside a wall a constant is taken away, so that the mean along the wall
+/// is 0: the wall is a streamline, psi = 0, unless the body turns. Within it goes on as that of the
+/// body's own motion, -rate (|x|^2 - mean)/2. All circulation adds up to 0 there, so that psi -
+/// U y + V x fades with the distance; in free space r is in the unit of positions.
+///
+/// returns  a value a point [m^2/s]
+/// error    as Plan::stream_function, by stream_function_tolerance or that of the sums if it is
+///          smaller; near a wall O(b^2) of the sheet (tests/vortex/stream_function.cpp)
+/// cost     of stream functions of blobs and panels, O(blobs + points), and of a sheet
+std::vector<double> stream_function_at(tree::Points points, const Blobs& blobs,
+                                       const Problem& problem);
+
+}  // namespace vortree::vortex
