@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "body/shapes/circle.hpp"
+#include "body/shapes/ellipse.hpp"
 #include "vortex/solver.hpp"
 
 using namespace vortree;
@@ -20,7 +21,7 @@ vortex::VortexSolver steady_vortex(double dt) {
                                   .merging = {},
                                   .sums = {.tolerance = 1e-10}},
                       .origin = {{2, 1}}};
-  setup.blobs.append({0, 0}, 1.0, 0.2);
+  setup.blobs = vortex::Blobs({0}, {0}, {1}, {0.2});
   return vortex::VortexSolver(std::move(setup));
 }
 
@@ -68,4 +69,20 @@ TEST_CASE("tracers begin along their line or around the body, when they are due"
   CHECK(tracers.size() == 20);
   tracers.release(0.5, 2.2);  // one release in a step
   CHECK(tracers.size() == 28);
+}
+
+TEST_CASE("around a body that turns tracers begin around where it has turned to") {
+  const std::shared_ptr<const body::Shape> shape = body::ellipse({}, 0.5, 0.2, 0);
+  const body::Body turning{shape, {1, 2}, {.spin = {0.8}}, 64};
+  flow::CarriedTracers tracers({{.around = 0.1, .count = 16, .from = 1.5}}, {turning});
+  tracers.release(1.4, 1.5);
+  REQUIRE(tracers.size() == 16);
+  const double angle = turning.motion.at(1.5).angle;
+  CHECK(angle == Approx(1.2));
+  for (std::size_t k = 0; k < 16; ++k) {
+    const double x = tracers.x()[k] - 1, y = tracers.y()[k] - 2;
+    const Vec2 in_axes{std::cos(angle) * x + std::sin(angle) * y,
+                       std::cos(angle) * y - std::sin(angle) * x};
+    CHECK(shape->nearest(in_axes).distance == Approx(0.1));
+  }
 }

@@ -12,10 +12,10 @@ Vec2 on_line(const std::array<double, 4>& line, int k, int count) {
   return {line[0] + share * (line[2] - line[0]), line[1] + share * (line[3] - line[1])};
 }
 
-/// Evenly along the wall, at a distance from it.
+/// Evenly along the wall, at a distance from it, as seen from the body's centre in its axes.
 Vec2 around_body(const body::Body& body, double distance, int k, int count) {
   const Vec2 at = body.shape->point(body.shape->perimeter() * k / count);
-  return body.centre + at + distance * body.shape->nearest(at).normal;
+  return at + distance * body.shape->nearest(at).normal;
 }
 
 /// How many releases are due by a time; a hair early, for times of steps have round-off.
@@ -28,7 +28,8 @@ double due(const ReleaseSettings& when, double time) {
 }  // namespace
 
 CarriedTracers::CarriedTracers(const std::vector<ReleaseSettings>& releases,
-                               const body::Bodies& bodies) {
+                               const body::Bodies& bodies)
+    : bodies_(bodies) {
   for (const ReleaseSettings& one : releases) {
     Released set{one, {}, {}};
     for (int k = 0; k < one.count; ++k) {
@@ -46,12 +47,22 @@ void CarriedTracers::release(double before, double now) {
     const Released& set = sets_[number];
     const double already = before < 0 ? 0 : due(set.when, before);
     if (due(set.when, now) <= already) continue;
-    x_.insert(x_.end(), set.x.begin(), set.x.end());
-    y_.insert(y_.end(), set.y.begin(), set.y.end());
+    for (std::size_t k = 0; k < set.x.size(); ++k) {
+      const Vec2 at = place(set, k, now);
+      x_.push_back(at.x);
+      y_.push_back(at.y);
+    }
     set_.resize(x_.size(), static_cast<double>(number));
     from_.resize(x_.size(), now);
     for (auto* fresh : {&before_u_, &before_v_, &steps_}) fresh->resize(x_.size());
   }
+}
+
+Vec2 CarriedTracers::place(const Released& set, std::size_t k, double now) const {
+  const Vec2 at{set.x[k], set.y[k]};
+  if (set.when.line) return at;
+  const body::Body& body = bodies_.front();
+  return body.centre + Turn(body.motion.at(now).angle)(at);
 }
 
 void CarriedTracers::sample(const Solver& solver) {

@@ -46,9 +46,11 @@ class CarriedTracers {
  private:
   struct Released {
     ReleaseSettings when;
-    std::vector<double> x, y;
+    std::vector<double> x, y;  // around a body from its centre, in its axes
   };
+  Vec2 place(const Released& set, std::size_t k, double now) const;
 
+  body::Bodies bodies_;
   std::vector<Released> sets_;
   std::vector<double> x_, y_, set_, from_;
   std::vector<double> before_u_, before_v_;  // of the step before; of new ones never read
