@@ -40,9 +40,9 @@ def closes(line):
 
 
 def refined(field, wall):
-    """x, y, psi on a grid fine enough for smooth lines, psi 0 within the body, and what changes sign
-    with psi up to the wall: beside it psi is quadratic in the distance d, and psi/(1 - exp(-(d/c)^2))
-    neither small nor steep."""
+    """x, y, psi on a grid fine enough for smooth lines, psi 0 within the body, and what changes
+    sign with psi up to the wall: beside it psi goes as the square of the distance d, and
+    psi/(1 - exp(-(d/c)^2)) is neither small nor steep."""
     x, y, psi = (field[name] for name in ("x", "y", "psi"))
     off = distance(*np.meshgrid(x, y), wall)
     near = off < 0.3 * (x[1] - x[0])
@@ -147,8 +147,8 @@ def peaks(psi):
 
 
 def integrated_streamlines(axes, field, along):
-    """Lines of equal stream function past a circle, psi = integral of u dy - v dx, zero on the body,
-    of fields that have none.
+    """Lines of equal stream function past a circle, of fields that have none: psi = integral of
+    u dy - v dx, zero on the body.
 
     field: grids in units of the body's radius, from its centre, and of the stream's speed, the
     velocity zero inside the body; along: direction of the stream.

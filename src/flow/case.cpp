@@ -19,7 +19,9 @@ std::vector<Key> keys(Case& of) {
               {.low = 0, .high = 1, .above_low = true, .words = "it must lie between 0 and 1"}, "",
               "relative error aimed at: the method chooses by it what is not written of `time.dt`, "
               "`body.panels` and its own tables (`cores`, `merging` and `velocity` of vortices, "
-              "`sph` of SPH)")};
+              "`sph` of SPH)"),
+          list("tracers", of.tracers,
+               "points that go with the flow into the frames, a table [[tracers]] each")};
 }
 
 std::vector<SceneTable> tables(Case& of) {
@@ -31,6 +33,7 @@ std::vector<SceneTable> tables(Case& of) {
 namespace {
 
 constexpr double most_picture_points = 1e8;
+constexpr double most_tracers = 1e6;
 
 double fastest_plunge(const Case& of) {
   if (!of.plunge) return 0;
@@ -86,6 +89,26 @@ void refuse_motion(const Case& of) {
                   fmt::format("motion.spin is {}; only a circle can turn in its place, body.shape "
                               "is \"{}\"",
                               of.motion->spin, of.body->shape->name));
+}
+
+void refuse_tracers(const Case& of) {
+  double all = 0;
+  for (std::size_t k = 0; k < of.tracers.size(); ++k) {
+    const ReleaseSettings& one = of.tracers[k];
+    const std::string name = fmt::format("tracers[{}]", k);
+    if (one.line.has_value() == one.around.has_value())
+      throw Refused("tracers",
+                    fmt::format("{} has {}; one of them was expected", name,
+                                one.line ? "both line and around" : "neither line nor around"));
+    if (one.around && !of.body)
+      throw Refused("tracers", name + ".around needs a body to go around; there is no [body]");
+    const double times = one.every ? std::floor((of.time.end - one.from) / *one.every) + 1 : 1;
+    all += std::max(times, 0.0) * one.count;
+  }
+  if (all > most_tracers)
+    throw Refused("tracers", fmt::format("[[tracers]] releases {:.2g} tracers until time.end; "
+                                         "{:.0e} at most are carried",
+                                         all, most_tracers));
 }
 
 void refuse_window(const OutputSettings& output) {
@@ -160,6 +183,7 @@ void refuse_senseless(const Case& of) {
   if (of.plunge) refuse_plunge(of);
   if (of.motion) refuse_motion(of);
   if (of.initial) refuse(*of.initial);
+  refuse_tracers(of);
   if (of.body && of.initial && of.initial->kind->periodic)
     throw Refused(
         "initial.kind",

@@ -37,4 +37,18 @@ std::vector<Key> keys(OutputSettings& output) {
               "distance of the points of a picture")};
 }
 
+std::vector<Key> keys(ReleaseSettings& tracers) {
+  return {
+      key("line", tracers.line, anything, "L",
+          "[x0, y0, x1, y1]: they begin along this line, from end to end"),
+      key("around", tracers.around, positive, "L",
+          "instead of `tracers.line`: they begin all around the body as it stands then, so far "
+          "from its wall"),
+      key("count", tracers.count, {.low = 1, .high = 1e6, .words = "1 to 1000000 were expected"},
+          "", "so many of them; a single one begins at the first end of its line"),
+      key("from", tracers.from, not_negative, "T", "when they are released"),
+      key("every", tracers.every, positive, "T",
+          "as many more are released again and again, this long after the last")};
+}
+
 }  // namespace vortree::flow

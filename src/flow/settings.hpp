@@ -58,9 +58,22 @@ struct OutputSettings {
   bool pictures() const { return !fields.empty() || fields_every; }
 };
 
+/// Tracers that are released together: `count` of them along line = [x0, y0, x1, y1], from end to
+/// end, or evenly around the body, at the distance `around` from its wall [L]; at the first step
+/// that is not before t = `from`, and if there is `every`, so often again [T].
+struct ReleaseSettings {
+  std::optional<std::array<double, 4>> line{};
+  std::optional<double> around{};
+  int count = 1;
+  double from = 0;
+  std::optional<double> every{};
+  bool operator==(const ReleaseSettings&) const = default;
+};
+
 /// Their keys, in the order in which they are read and printed.
 [[nodiscard]] std::vector<Key> keys(FlowSettings&);
 [[nodiscard]] std::vector<Key> keys(TimeSettings&);
 [[nodiscard]] std::vector<Key> keys(OutputSettings&);
+[[nodiscard]] std::vector<Key> keys(ReleaseSettings&);
 
 }  // namespace vortree::flow

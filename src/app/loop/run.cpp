@@ -22,6 +22,7 @@
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
 #include "checks/checks.hpp"
+#include "flow/paths/carried_tracers.hpp"
 #include "io/files.hpp"
 #include "io/frames/frames.hpp"
 #include "io/quote.hpp"
@@ -42,6 +43,7 @@ class Run {
         scales_(flow::scales_of(scene_)),
         solver_(scene_.computed_by().begin(scene_, machine_memory())),
         rows_(*solver_, scales_),
+        tracers_(scene_.tracers, scene_.tracers.empty() ? body::Bodies{} : flow::bodies_of(scene_)),
         files_(scene_, *solver_, rows_.names(), folder_) {}
 
   void begin();
@@ -74,6 +76,7 @@ class Run {
   flow::Scales scales_;
   std::unique_ptr<flow::Solver> solver_;
   Rows rows_;
+  flow::CarriedTracers tracers_;
   RunFiles files_;
   Totals totals_;
   Stopwatch::Phases before_step_;
@@ -82,6 +85,7 @@ class Run {
 
 void Run::begin() {
   files_.begin();
+  tracers_.release(-1, 0);
   observe();
   save_fields();
   save();
@@ -97,6 +101,7 @@ void Run::resume() {
   try {
     solver_->restore(frame.step, frame.columns, frame.state);
     rows_.restore(frame.state);
+    tracers_.restore(frame.state);
     totals_.restore(frame.state);
     files_.resume(frame);
   } catch (const std::out_of_range& missing) {
@@ -145,11 +150,14 @@ Totals Run::totals_so_far() const {
 }
 
 void Run::advance() {
+  tracers_.sample(*solver_);
   try {
     solver_->step([this](std::string_view phase) { watch_.begin(phase); });
   } catch (const flow::Diverged& reason) {
     give_up(step() + 1, reason.what());
   }
+  tracers_.carry(scene_.time.dt);
+  tracers_.release(time(step() - 1), time(step()));
   observe();
   watch_.begin("output");
   save_fields();  // before the frame, which tells of it
@@ -162,6 +170,7 @@ void Run::save() {
   flow::State state;
   solver_->save(state);
   rows_.save(state);
+  tracers_.save(state);
   totals_so_far().save(state);
   try {
     files_.frame(std::move(state));

@@ -104,7 +104,7 @@ class TracerMethod final : public flow::Method {
   }
   std::unique_ptr<flow::Method> blank() const override { return std::make_unique<TracerMethod>(); }
   std::string_view name() const override { return "tracers"; }
-  std::vector<SceneTable> tables() override { return {table("tracers", settings_)}; }
+  std::vector<SceneTable> tables() override { return {table("carried", settings_)}; }
   std::unique_ptr<flow::Solver> begin(const flow::Case& of, double) const override {
     return std::make_unique<Tracers>(of, settings_.count);
   }
@@ -186,6 +186,50 @@ TEST_CASE("a method of another kind runs to its end, and leaves what every run l
   CHECK_THAT(run.text("whole/frames.xdmf"), Catch::Matchers::Contains("view/velocity"));
 }
 
+TEST_CASE("tracers of a scene go with the flow of any method, to second order, and are resumed") {
+  const Runs run;
+  const std::vector<std::string> two{
+      "tracers=[{line=[0, 1, 2, 1], count=5, from=0.1, every=0.25}, {line=[3, 4, 3, 4]}]"};
+  const auto after = [&](const std::string& out) { return run.last(out).state; };
+  run("carried", two);
+  const flow::State state = after("carried");
+  const auto &x = state.at("tracers x"), &y = state.at("tracers y"), &set = state.at("tracers set"),
+             &from = state.at("tracers from");
+  REQUIRE(x.size() == 1 + 4 * 5);
+  CHECK(set[0] == 1);
+  CHECK(from[0] == 0);
+  CHECK(x[0] == Approx(4));
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (k > 0) CHECK(from[k] == Approx(0.1 + 0.25 * ((k - 1) / 5)));
+    const double x0 = k > 0 ? 0.5 * ((k - 1) % 5) : 3, passed = 1 - from[k];
+    CHECK(x[k] == Approx(x0 + passed));
+    const double rise = 0.5 * passed + std::cos(x0) - std::cos(x0 + passed);
+    // dt^2/2 cos x of the first step, 5/12 dt^2 of the change of cos x along the rest
+    CHECK(y[k] == Approx((k > 0 ? 1 : 4) + rise).margin(0.05 * 0.05 * (0.5 + 2 * 5. / 12)));
+  }
+  std::vector<std::string> first = two;
+  first.push_back("time.end=0.4");
+  run("parts", first);
+  run("parts", two, true);
+  for (const char* name : {"tracers x", "tracers y", "tracers set", "tracers from"})
+    CHECK(after("parts").at(name) == state.at(name));
+  run("without");
+  CHECK_FALSE(after("without").contains("tracers x"));
+  CHECK(run.last("without").columns == run.last("carried").columns);
+}
+
+TEST_CASE("tracers that nobody can mean are refused") {
+  const Runs run;
+  const auto refused = [](const std::string& words) { return Catch::Matchers::Contains(words); };
+  CHECK_THROWS_WITH(run("r", {"tracers=[{count=3}]"}), refused("has neither line nor around"));
+  CHECK_THROWS_WITH(run("r", {"tracers=[{line=[0, 0, 1, 1], around=0.1}]"}),
+                    refused("tracers[0] has both line and around"));
+  CHECK_THROWS_WITH(run("r", {"tracers=[{around=0.1}]"}), refused("there is no [body]"));
+  CHECK_THROWS_WITH(run("r", {"tracers=[{line=[0, 0, 1, 1], count=0}]"}), refused("1 to 1000000"));
+  CHECK_THROWS_WITH(run("r", {"tracers=[{line=[0, 0, 1, 1], count=1000, every=1e-4}]"}),
+                    refused("1e+06 at most are carried"));
+}
+
 TEST_CASE("a method of another kind, stopped and resumed, ends as one that never was") {
   const Runs run;
   run("whole");
@@ -224,10 +268,10 @@ TEST_CASE("a method that nobody has is refused, with those that there are") {
 
 TEST_CASE("a method reads a table of its own, and leaves those of the others alone") {
   const Runs run;
-  CHECK(run("few", {"tracers.count=3"}).most_particles == 3);
+  CHECK(run("few", {"carried.count=3"}).most_particles == 3);
   CHECK(run("others", {"cores.sigma_0=0.5"}).most_particles == 10);
-  CHECK_THROWS_WITH(run("less", {"tracers.count=0"}),
-                    Catch::Matchers::Contains("tracers.count is 0; it must be > 0"));
+  CHECK_THROWS_WITH(run("less", {"carried.count=0"}),
+                    Catch::Matchers::Contains("carried.count is 0; it must be > 0"));
   CHECK_THROWS_WITH(run("wrong", {"cores.sigma_0=-1"}),
                     Catch::Matchers::Contains("cores.sigma_0 is -1; it must be > 0"));
 }
@@ -238,7 +282,7 @@ TEST_CASE("what a resumed run may not change is told by its table, a method's ow
   const auto refused = [&](const std::string& word) {
     return Catch::Matchers::Contains("was run with another " + word + " than");
   };
-  CHECK_THROWS_WITH(run("parts", {"tracers.count=11"}, true), refused("[tracers]"));
+  CHECK_THROWS_WITH(run("parts", {"carried.count=11"}, true), refused("[carried]"));
   CHECK_THROWS_WITH(run("parts", {"flow.stream=[1,0]"}, true), refused("[flow]"));
   CHECK_THROWS_WITH(run("parts", {"time.dt=0.1"}, true), refused("[time]"));
   CHECK_THROWS_WITH(run("parts", {"seed=5"}, true), refused("seed"));
