@@ -19,7 +19,9 @@ std::vector<Key> keys(Case& of) {
               {.low = 0, .high = 1, .above_low = true, .words = "it must lie between 0 and 1"}, "",
               "relative error aimed at: the method chooses by it what is not written of `time.dt`, "
               "`body.panels` and its own tables (`cores`, `merging` and `velocity` of vortices, "
-              "`sph` of SPH)")};
+              "`sph` of SPH)"),
+          list("probe", of.probes,
+               "places where velocity and vorticity are told in time, a table [[probe]] each")};
 }
 
 std::vector<SceneTable> tables(Case& of) {
@@ -153,6 +155,7 @@ void complete_times(Case& of) {
   refuse_uncountable(of.time);
   if (of.output.frames == 0) of.output.frames = usual_frames(of.time);
   refuse_output(of);
+  refuse(of.probes, of.time.dt);
 }
 
 void refuse_senseless(const Case& of) {

@@ -28,6 +28,7 @@ struct Case {
   std::optional<InitialSettings> initial{};
   TimeSettings time{};
   OutputSettings output{};
+  std::vector<ProbeSettings> probes{};
 };
 
 /// The keys at the top of a scene that belong to it, and its tables, in the order in which they are

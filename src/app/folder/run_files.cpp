@@ -89,12 +89,12 @@ void require_time_of_step(const io::Frame& frame, double dt, const fs::path& fil
 
 }  // namespace
 
-RunFiles::RunFiles(const io::Scene& scene, const flow::Solver& solver,
-                   std::vector<std::string> report, fs::path folder)
+RunFiles::RunFiles(const io::Scene& scene, const flow::Solver& solver, RowNames names,
+                   fs::path folder)
     : scene_(scene),
       solver_(solver),
       folder_(std::move(folder)),
-      tables_(folder_, std::move(report), solver.frame_table()) {}
+      tables_(folder_, std::move(names), solver.frame_table()) {}
 
 void RunFiles::require_outputs() const {
   std::vector<fs::path> inputs{scene_.origin.path};
@@ -102,8 +102,7 @@ void RunFiles::require_outputs() const {
        {scene_.check.drag_reference, scene_.check.lift_reference,
         scene_.check.wall_vorticity_reference, scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
-  const auto tables = tables_.names();
-  std::vector<std::string> names(tables.begin(), tables.end());
+  std::vector<std::string> names = tables_.names();
   for (const char* name :
        {"frames.h5", "frames.xdmf", "fields.h5", "fields.xdmf", "outline.csv", "summary.json"})
     names.emplace_back(name);

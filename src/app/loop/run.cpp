@@ -10,6 +10,7 @@
 #include "app/folder/output_folder.hpp"
 #include "app/folder/run_files.hpp"
 #include "app/install_paths.hpp"
+#include "app/loop/probes.hpp"
 #include "app/loop/progress.hpp"
 #include "app/loop/rows.hpp"
 #include "app/loop/sample.hpp"
@@ -42,7 +43,8 @@ class Run {
         scales_(flow::scales_of(scene_)),
         solver_(scene_.computed_by().begin(scene_, machine_memory())),
         rows_(*solver_, scales_),
-        files_(scene_, *solver_, rows_.names(), folder_) {}
+        probes_(scene_),
+        files_(scene_, *solver_, {rows_.names(), probes_.names()}, folder_) {}
 
   void begin();
   void resume();
@@ -74,6 +76,7 @@ class Run {
   flow::Scales scales_;
   std::unique_ptr<flow::Solver> solver_;
   Rows rows_;
+  Probes probes_;
   RunFiles files_;
   Totals totals_;
   Stopwatch::Phases before_step_;
@@ -83,6 +86,7 @@ class Run {
 void Run::begin() {
   files_.begin();
   observe();
+  files_.probed(probes_.rows(*solver_));
   save_fields();
   save();
 }
@@ -152,6 +156,7 @@ void Run::advance() {
   }
   observe();
   watch_.begin("output");
+  files_.probed(probes_.rows(*solver_));
   save_fields();  // before the frame, which tells of it
   if (timetable_.frame_due(step())) save();
   watch_.end();
