@@ -110,8 +110,9 @@ struct ListOfTables {
 
 /// Where the value of a key lives.
 using Target = std::variant<bool*, double*, int*, std::int64_t*, std::string*, std::vector<double>*,
-                            std::array<double, 2>*, std::array<double, 4>*, std::optional<double>*,
-                            std::optional<std::string>*, std::optional<std::vector<double>>*,
+                            std::vector<Pair>*, std::array<double, 2>*, std::array<double, 4>*,
+                            std::optional<double>*, std::optional<std::string>*,
+                            std::optional<std::vector<double>>*,
                             std::optional<std::array<double, 4>>*, OneOf, ListOfTables>;
 
 /// A key of a table. It is good as long as the table that it was made of stays where it is.

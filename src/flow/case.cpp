@@ -21,7 +21,9 @@ std::vector<Key> keys(Case& of) {
               "`body.panels` and its own tables (`cores`, `merging` and `velocity` of vortices, "
               "`sph` of SPH)"),
           list("tracers", of.tracers,
-               "points that go with the flow into the frames, a table [[tracers]] each")};
+               "points that go with the flow into the frames, a table [[tracers]] each"),
+          list("probe", of.probes,
+               "places where velocity and vorticity are told in time, a table [[probe]] each")};
 }
 
 std::vector<SceneTable> tables(Case& of) {
@@ -176,6 +178,7 @@ void complete_times(Case& of) {
   refuse_uncountable(of.time);
   if (of.output.frames == 0) of.output.frames = usual_frames(of.time);
   refuse_output(of);
+  refuse(of.probes, of.time.dt);
 }
 
 void refuse_senseless(const Case& of) {

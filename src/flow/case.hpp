@@ -29,6 +29,7 @@ struct Case {
   TimeSettings time{};
   OutputSettings output{};
   std::vector<ReleaseSettings> tracers{};
+  std::vector<ProbeSettings> probes{};
 };
 
 /// The keys at the top of a scene that belong to it, and its tables, in the order in which they are

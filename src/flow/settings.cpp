@@ -1,6 +1,56 @@
 #include "flow/settings.hpp"
 
+#include <fmt/format.h>
+
 namespace vortree::flow {
+
+std::vector<Key> keys(ProbeSettings& probe) {
+  return {key("points", probe.points, anything, "L", "places [[x, y], ...]"),
+          key("line", probe.line, anything, "L",
+              "[x0, y0, x1, y1] instead of points: `count` places along it, evenly, with its ends"),
+          key("count", probe.count, not_negative, "", "of the places along `line`, 2 at least"),
+          key("every", probe.every, positive, "T",
+              "time between two rows, each of the nearest step; every step if not written")};
+}
+
+std::vector<Pair> ProbeSettings::places() const {
+  std::vector<Pair> all = points;
+  if (!line) return all;
+  const auto [x0, y0, x1, y1] = *line;
+  for (int k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / (count - 1);
+    all.push_back({(1 - share) * x0 + share * x1, (1 - share) * y0 + share * y1});
+  }
+  return all;
+}
+
+namespace {
+
+void refuse(const ProbeSettings& probe, const std::string& name, double dt) {
+  if (probe.points.empty() == !probe.line)
+    throw Refused("probe", fmt::format("{} needs either points or a line", name));
+  if (probe.line && probe.count < 2)
+    throw Refused("probe",
+                  fmt::format("{}.count is {}; a line has 2 places or more", name, probe.count));
+  if (!probe.line && probe.count > 0)
+    throw Refused("probe", fmt::format("{}.count needs a line beside it", name));
+  if (probe.every && *probe.every < dt)
+    throw Refused(
+        "probe", fmt::format("{}.every is {}; it must be >= time.dt = {}", name, *probe.every, dt));
+}
+
+}  // namespace
+
+void refuse(const std::vector<ProbeSettings>& probes, double dt) {
+  double places = 0;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    refuse(probes[i], fmt::format("probe[{}]", i), dt);
+    places += static_cast<double>(probes[i].points.size()) + probes[i].count;
+  }
+  if (places > most_probed)
+    throw Refused("probe", fmt::format("probe has {:.3g} places; {:.0e} at most are told", places,
+                                       most_probed));
+}
 
 std::vector<Key> keys(FlowSettings& flow) {
   return {

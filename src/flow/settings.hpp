@@ -70,10 +70,29 @@ struct ReleaseSettings {
   bool operator==(const ReleaseSettings&) const = default;
 };
 
+/// Places at which a flow is told in time: `points`, or `count` of them along `line` = [x0, y0, x1,
+/// y1], its ends among them; after every step, or at the steps nearest to multiples of `every`.
+struct ProbeSettings {
+  std::vector<Pair> points{};
+  std::optional<std::array<double, 4>> line{};
+  int count = 0;
+  std::optional<double> every{};
+  bool operator==(const ProbeSettings&) const = default;
+
+  std::vector<Pair> places() const;
+};
+
+/// More places than this are refused: each has a row a step.
+inline constexpr double most_probed = 1e6;
+
+/// throws  Refused for a probe without a place, or with a line of no use; dt is that of the run
+void refuse(const std::vector<ProbeSettings>& probes, double dt);
+
 /// Their keys, in the order in which they are read and printed.
 [[nodiscard]] std::vector<Key> keys(FlowSettings&);
 [[nodiscard]] std::vector<Key> keys(TimeSettings&);
 [[nodiscard]] std::vector<Key> keys(OutputSettings&);
 [[nodiscard]] std::vector<Key> keys(ReleaseSettings&);
+[[nodiscard]] std::vector<Key> keys(ProbeSettings&);
 
 }  // namespace vortree::flow

@@ -58,7 +58,7 @@ def summary_of(folder):
 def contents(folder):
     """By file name; a file that is not there is missing here, too."""
     found = {}
-    for table in ("report.csv", "wall.csv", "energy.csv"):
+    for table in ("report.csv", "wall.csv", "energy.csv", "probes.csv"):
         if (folder / table).exists():
             found[table] = rows_of(folder, table)
     with h5py.File(folder / "frames.h5") as file:

@@ -51,6 +51,17 @@ std::optional<std::string> frames_in(const fs::path& file) {
   }
 }
 
+/// Whether probes.csv has rows of later than the start.
+bool probed_later(const fs::path& table) {
+  if (!fs::is_regular_file(table)) return false;
+  std::ifstream in(table);
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line))
+    if (!line.starts_with("0,")) return true;
+  return false;
+}
+
 bool is_picture_of_start(const fs::path& folder) {
   try {
     return io::field_times(folder) == std::vector{0.0};
@@ -59,11 +70,12 @@ bool is_picture_of_start(const fs::path& folder) {
   }
 }
 
-/// A run that was stopped before its first frame has left its frames.h5, tables of a row at most
-/// and a picture of the start. All else is none of its.
+/// A run that was stopped before its first frame has left its frames.h5, tables of a row at most,
+/// and probes and a picture of the start. All else is none of its.
 void refuse_more_than_a_start(const fs::path& folder) {
   for (const char* name : tables)
     if (has_rows(folder / name, 1)) refuse_older(folder / name);
+  if (probed_later(folder / "probes.csv")) refuse_older(folder / "probes.csv");
   const bool pictured = fs::exists(folder / "fields.h5");
   if (pictured && !is_picture_of_start(folder)) refuse_older(folder / "fields.h5");
   if (!pictured && fs::exists(folder / "fields.xdmf")) refuse_older(folder / "fields.xdmf");
@@ -88,6 +100,7 @@ void refuse_older_run(const fs::path& folder) {
     return refuse_more_than_a_start(folder);
   }
   for (const char* name : tables) refuse_older_table(folder / name);
+  refuse_older_table(folder / "probes.csv");
   for (const char* name : {"summary.json", "fields.h5", "fields.xdmf", "frames.xdmf", "outline.csv",
                            "lyapunov.h5", "lyapunov.xdmf"})
     if (fs::is_regular_file(folder / name)) refuse_older(folder / name);
@@ -114,7 +127,7 @@ void remove_older_figures(const fs::path& folder, std::string_view kind) {
 void remove_older_tables_and_pictures(const fs::path& folder) {
   for (const char* name : tables) io::remove_file(folder / name);
   for (const char* name :
-       {"fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5", "lyapunov.xdmf"})
+       {"probes.csv", "fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5", "lyapunov.xdmf"})
     io::remove_file(folder / name);
   remove_older_figures(folder);
 }

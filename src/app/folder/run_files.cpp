@@ -89,12 +89,12 @@ void require_time_of_step(const io::Frame& frame, double dt, const fs::path& fil
 
 }  // namespace
 
-RunFiles::RunFiles(const io::Scene& scene, const flow::Solver& solver,
-                   std::vector<std::string> report, fs::path folder)
+RunFiles::RunFiles(const io::Scene& scene, const flow::Solver& solver, RowNames names,
+                   fs::path folder)
     : scene_(scene),
       solver_(solver),
       folder_(std::move(folder)),
-      tables_(folder_, std::move(report), solver.frame_table()) {}
+      tables_(folder_, std::move(names), solver.frame_table()) {}
 
 void RunFiles::require_outputs() const {
   std::vector<fs::path> inputs{scene_.origin.path};
@@ -104,8 +104,9 @@ void RunFiles::require_outputs() const {
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
   if (scene_.body && scene_.body->file)
     inputs.push_back(io::reference_path(scene_, *scene_.body->file));
-  const auto tables = tables_.names();
-  std::vector<std::string> names(tables.begin(), tables.end());
+  if (scene_.motion && scene_.motion->file)
+    inputs.push_back(io::reference_path(scene_, *scene_.motion->file));
+  std::vector<std::string> names = tables_.names();
   for (const char* name :
        {"frames.h5", "frames.xdmf", "fields.h5", "fields.xdmf", "outline.csv", "summary.json"})
     names.emplace_back(name);

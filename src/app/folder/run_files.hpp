@@ -23,8 +23,7 @@ namespace vortree::app {
 /// then the rest: no summary ever stands beside frames of another run.
 class RunFiles {
  public:
-  /// report  columns of report.csv
-  RunFiles(const io::Scene& scene, const flow::Solver& solver, std::vector<std::string> report,
+  RunFiles(const io::Scene& scene, const flow::Solver& solver, RowNames names,
            std::filesystem::path folder);
 
   /// throws  io::InputError if one of them is an input, or no regular file
@@ -44,6 +43,7 @@ class RunFiles {
   void resume(const io::Frame& frame);
 
   void row(std::span<const double> values);
+  void probed(std::span<const double> rows) { tables_.rows(RunTables::probes, rows); }
   void field(const io::Field& field);
 
   /// The flow as it is, with whatever else it takes to go on; and the rows that the method adds to

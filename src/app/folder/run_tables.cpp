@@ -9,8 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<RunTables::Kind, 2> kinds{RunTables::report, RunTables::of_frames};
-
 constexpr std::string_view way_out = "put the table back as it was, or start anew with --overwrite";
 
 /// Names in the state of a frame.
@@ -23,25 +21,36 @@ std::string rows_key(const std::string& table) {
 
 }  // namespace
 
-RunTables::RunTables(fs::path folder, std::vector<std::string> report,
-                     const flow::FrameTable& of_frames)
-    : folder_(std::move(folder)), tables_{{{"report.csv", std::move(report)}, of_frames}} {}
+RunTables::RunTables(fs::path folder, RowNames names, const flow::FrameTable& of_frames)
+    : folder_(std::move(folder)), tables_{{"report.csv", std::move(names.report)}, of_frames} {
+  if (!names.probes.empty()) tables_.push_back({"probes.csv", std::move(names.probes)});
+  open_.resize(tables_.size());
+}
 
-std::array<std::string, 2> RunTables::names() const {
-  return {tables_[0].name, tables_[1].name};
+std::vector<RunTables::Kind> RunTables::kinds() const {
+  std::vector<Kind> all{report, of_frames};
+  if (tables_.size() > probes) all.push_back(probes);
+  return all;
+}
+
+std::vector<std::string> RunTables::names() const {
+  std::vector<std::string> names;
+  for (const flow::FrameTable& table : tables_) names.push_back(table.name);
+  return names;
 }
 
 void RunTables::begin() {
-  for (const Kind kind : kinds) open_[kind].emplace(path(kind), tables_[kind].columns);
+  for (const Kind kind : kinds()) open_[kind].emplace(path(kind), tables_[kind].columns);
 }
 
 void RunTables::rows(Kind kind, std::span<const double> values) {
+  if (values.empty()) return;
   const std::size_t width = tables_[kind].columns.size();
   for (std::size_t k = 0; k < values.size(); k += width) row(kind, values.subspan(k, width));
 }
 
 void RunTables::resume(const io::Frame& frame) {
-  for (const Kind kind : kinds) open_[kind] = resumed(kind, frame);
+  for (const Kind kind : kinds()) open_[kind] = resumed(kind, frame);
 }
 
 io::Report RunTables::resumed(Kind kind, const io::Frame& frame) const {
@@ -82,7 +91,7 @@ void RunTables::force() const {
 
 void RunTables::keep(io::Frame& frame) {
   force();
-  for (const Kind kind : kinds) {
+  for (const Kind kind : kinds()) {
     frame.state[mark_key(tables_[kind].name)] = io::as_numbers(open_[kind]->mark());
     frame.state[rows_key(tables_[kind].name)] = open_[kind]->take_rows();
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -13,22 +12,25 @@
 
 namespace vortree::app {
 
-/// The tables that a run writes row by row: report.csv, and that which its method keeps with the
-/// frames.
+/// Columns of report.csv, and of probes.csv, if there is one.
+struct RowNames {
+  std::vector<std::string> report, probes{};
+};
+
+/// The tables that a run writes row by row: report.csv, that which its method keeps with the
+/// frames, and probes.csv, if it has columns.
 ///
 /// A frame keeps of each table the rows since the frame before it, and a mark (rows, bytes,
 /// checksum) of all its text up to there. So a resumed run notices whatever became of a table, and
 /// makes it again from the frames.
 class RunTables {
  public:
-  enum Kind : std::size_t { report, of_frames };
+  enum Kind : std::size_t { report, of_frames, probes };
 
-  /// report  columns of report.csv
-  RunTables(std::filesystem::path folder, std::vector<std::string> report,
-            const flow::FrameTable& of_frames);
+  RunTables(std::filesystem::path folder, RowNames names, const flow::FrameTable& of_frames);
 
   /// Their names in the folder.
-  [[nodiscard]] std::array<std::string, 2> names() const;
+  [[nodiscard]] std::vector<std::string> names() const;
 
   /// Starts them, in place of older ones.
   void begin();
@@ -50,14 +52,15 @@ class RunTables {
   void keep(io::Frame& frame);
 
  private:
+  std::vector<Kind> kinds() const;
   std::filesystem::path path(Kind kind) const { return folder_ / tables_[kind].name; }
   io::Report resumed(Kind kind, const io::Frame& frame) const;
   std::vector<double> rows_in_frames(Kind kind, const io::Frame& last) const;
   io::Report made_again(Kind kind, const io::Frame& last, const io::TableMark& mark) const;
 
   std::filesystem::path folder_;
-  std::array<flow::FrameTable, 2> tables_;
-  std::array<std::optional<io::Report>, 2> open_;
+  std::vector<flow::FrameTable> tables_;
+  std::vector<std::optional<io::Report>> open_;
 };
 
 }  // namespace vortree::app

@@ -10,6 +10,7 @@
 #include "app/folder/output_folder.hpp"
 #include "app/folder/run_files.hpp"
 #include "app/install_paths.hpp"
+#include "app/loop/probes.hpp"
 #include "app/loop/progress.hpp"
 #include "app/loop/rows.hpp"
 #include "app/loop/sample.hpp"
@@ -44,7 +45,8 @@ class Run {
         solver_(scene_.computed_by().begin(scene_, machine_memory())),
         rows_(*solver_, scales_),
         tracers_(scene_.tracers, scene_.tracers.empty() ? body::Bodies{} : flow::bodies_of(scene_)),
-        files_(scene_, *solver_, rows_.names(), folder_) {}
+        probes_(scene_),
+        files_(scene_, *solver_, {rows_.names(), probes_.names()}, folder_) {}
 
   void begin();
   void resume();
@@ -77,6 +79,7 @@ class Run {
   std::unique_ptr<flow::Solver> solver_;
   Rows rows_;
   flow::CarriedTracers tracers_;
+  Probes probes_;
   RunFiles files_;
   Totals totals_;
   Stopwatch::Phases before_step_;
@@ -87,6 +90,7 @@ void Run::begin() {
   files_.begin();
   tracers_.release(-1, 0);
   observe();
+  files_.probed(probes_.rows(*solver_));
   save_fields();
   save();
 }
@@ -160,6 +164,7 @@ void Run::advance() {
   tracers_.release(time(step() - 1), time(step()));
   observe();
   watch_.begin("output");
+  files_.probed(probes_.rows(*solver_));
   save_fields();  // before the frame, which tells of it
   if (timetable_.frame_due(step())) save();
   watch_.end();

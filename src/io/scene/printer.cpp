@@ -37,6 +37,12 @@ std::string toml_text(std::span<const double> values) {
   return fmt::format("[{}]", fmt::join(words, ", "));
 }
 
+std::string toml_text(const std::vector<Pair>& pairs) {
+  std::vector<std::string> words;
+  for (const Pair& pair : pairs) words.push_back(toml_text(std::span<const double>(pair)));
+  return fmt::format("[{}]", fmt::join(words, ", "));
+}
+
 std::string in_quotes(std::string_view word) {
   return fmt::format("\"{}\"", word);
 }

@@ -106,6 +106,12 @@ void read(const Value& value, std::array<double, n>& target, const Rule& rule) {
   for (std::size_t i = 0; i < n; ++i) read(value.element(i), target[i], rule);
 }
 
+void read(const Value& value, std::vector<Pair>& target, const Rule& rule) {
+  if (!value.node.is_array()) value.expected("an array of arrays of 2 numbers");
+  target.resize(value.node.as_array()->size());
+  for (std::size_t i = 0; i < target.size(); ++i) read(value.element(i), target[i], rule);
+}
+
 void read(const Value& value, const OneOf& target, const Rule& rule) {
   std::string text;
   read(value, text, rule);
