@@ -18,11 +18,11 @@ TEST_CASE("an unknown key is refused with its line and the nearest known one") {
       refused(with("[time]", "[times]")),
       StartsWith("cases/ring.toml:14: [times] is not a table of a scene; known: flow, body,") &&
           EndsWith("did you mean time?"));
-  CHECK(
-      refused("speed = 1\n" + plain) ==
-      "cases/ring.toml:1: speed is not a key at the top of a scene; known: title, seed, accuracy, "
-      "method; did "
-      "you mean seed?");
+  CHECK(refused("speed = 1\n" + plain) ==
+        "cases/ring.toml:1: speed is not a key at the top of a scene; known: title, seed, "
+        "accuracy, probe, "
+        "method; did "
+        "you mean seed?");
   CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nzebra = 1")),
              EndsWith("known: nu, stream, reynolds"));
   CHECK_THAT(refused("\"a.b\" = 1\n" + plain), StartsWith("cases/ring.toml:1: a.b is not a key"));
