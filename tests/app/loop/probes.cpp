@@ -162,7 +162,7 @@ TEST_CASE("probes are printed so that they read back to themselves") {
       io::parse_scene(io::resolved(scene), "cases/vortex.toml", app::methods(), {});
   CHECK(again.probes == scene.probes);
   REQUIRE(scene.probes.size() == 2);
-  CHECK(scene.probes[0].points == std::vector<Pair>{{0.3, 0}, {0.1, -0.2}});
+  CHECK(scene.probes[0] == flow::ProbeSettings{{{0.3, 0}, {0.1, -0.2}}, {}, 0, {}});
   const auto places = scene.probes[1].places();
   REQUIRE(places.size() == 5);
   for (std::size_t k = 0; k < 5; ++k) {

@@ -21,7 +21,7 @@ TEST_CASE("an unknown key is refused with its line and the nearest known one") {
   CHECK(
       refused("speed = 1\n" + plain) ==
       "cases/ring.toml:1: speed is not a key at the top of a scene; known: title, seed, accuracy, "
-      "tracers, method; did you mean seed?");
+      "tracers, probe, method; did you mean seed?");
   CHECK_THAT(refused(with("nu = 1e-3", "nu = 1e-3\nzebra = 1")),
              EndsWith("known: nu, stream, reynolds"));
   CHECK_THAT(refused("\"a.b\" = 1\n" + plain), StartsWith("cases/ring.toml:1: a.b is not a key"));

@@ -84,6 +84,7 @@ TEST_CASE("the page of keys gives the defaults that the program has") {
     std::smatch cells;
     if (!std::regex_match(line, cells, row)) continue;
     if (cells[1] == "plunge" || cells[1] == "motion") continue;  // the scene at hand has neither
+    if (cells[1] == "probe") continue;  // of tables in a list: tests/app/loop/probes.cpp
     if (cells[1] == "sph" || cells[1] == "neighbors") continue;  // of a method unknown here
     const std::string name = cells[2], usual = cells[3], key = cells[1].str() + "." + name;
     CAPTURE(key, usual);
