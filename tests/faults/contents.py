@@ -2,12 +2,10 @@
 
 import csv
 import json
+from functools import partial
 
 import h5py
 import numpy as np
-
-REPORT = 25  # columns of report.csv, of which
-SECONDS = slice(19, 25)  # these are wall time
 
 
 def rows_of(folder, table):
@@ -16,11 +14,17 @@ def rows_of(folder, table):
                 for row in csv.DictReader(file)]
 
 
-def timeless(name, values):
+def seconds_of(folder):
+    """Which columns of report.csv are wall time."""
+    with open(folder / "report.csv") as file:
+        return np.array(["seconds" in name for name in next(csv.reader(file))])
+
+
+def timeless(name, values, seconds):
     """A dataset of a frame without what the clock put in."""
     if name == "state/rows of report.csv":
-        values = values.reshape(-1, REPORT).copy()
-        values[:, SECONDS] = 0
+        values = values.reshape(-1, seconds.size).copy()
+        values[:, seconds] = 0
     elif name.startswith(("state/row seconds", "state/total seconds")):
         values = 0 * values
     elif name == "state/mark of report.csv":
@@ -62,7 +66,7 @@ def contents(folder):
         if (folder / table).exists():
             found[table] = rows_of(folder, table)
     with h5py.File(folder / "frames.h5") as file:
-        found["frames.h5"] = datasets(file, timeless)
+        found["frames.h5"] = datasets(file, partial(timeless, seconds=seconds_of(folder)))
     if (folder / "fields.h5").exists():
         with h5py.File(folder / "fields.h5") as file:
             found["fields.h5"] = datasets(file)
