@@ -118,7 +118,7 @@ TEST_CASE("SPH refuses what it cannot compute, in words with numbers") {
     scene.of.plunge = body::PlungeSettings{0.4, 0.5, {1, 1}};
     CHECK_NOTHROW(scene.choose());
     scene.of.plunge = body::PlungeSettings{0.46, 0.5, {1, 1}};
-    CHECK_THROWS_WITH(scene.choose(), Contains("[plunge] is as fast along flow.stream"));
+    CHECK_THROWS_WITH(scene.choose(), Contains("the body moves as fast along flow.stream"));
   }
   SECTION("a reach that does not go with the degree") {
     scene.set("spacing", 0.05).set("reach", 2.0);
