@@ -6,6 +6,7 @@
 #include "body/shapes/circle.hpp"
 #include "body/shapes/ellipse.hpp"
 #include "flow/force_history.hpp"
+#include "vortex/coarse_flow.hpp"
 #include "vortex/solver.hpp"
 
 using namespace vortree;
@@ -38,21 +39,8 @@ body::Course course(const OfTime& x, const OfTime& y, const OfTime& angle, Vec2 
 
 /// An ellipse of length 1 at Re = 100 or so, coarse enough for a test.
 vortex::Setup ellipse(double incidence, Vec2 stream, const body::Course& moves, double dt = 0.02) {
-  constexpr double nu = 0.01;
-  vortex::Setup made{.problem = {.flow = {stream, nu, {.course = moves}},
-                                 .dt = dt,
-                                 .advecting_cores = std::numbers::sqrt2,
-                                 .sigma_0 = std::sqrt(2 * nu * dt),
-                                 .splitting = {.sigma_max = std::sqrt(8 * nu * dt)},
-                                 .merging = {.tolerance = 0.02,
-                                             .reach = 3,
-                                             .sigma_max = 1.1 * std::sqrt(8 * nu * dt)},
-                                 .faintest = 1e-12,
-                                 .sums = {.tolerance = 1e-5, .cores = fmm::Cores::mean}},
-                     .scales = {.body = true, .impulsive = true}};
-  made.wall = std::make_unique<vortex::Wall>(body::ellipse({}, 0.5, 0.25, incidence), 160);
-  if (moves.turns()) made.turning = std::make_unique<vortex::Turning>(*made.wall);
-  return made;
+  return test::coarse_flow(body::ellipse({}, 0.5, 0.25, incidence), {.course = moves}, stream, 0.01,
+                           dt);
 }
 
 /// What a run tells after each of some steps, but for the last.

@@ -8,6 +8,7 @@
 #include "body/shapes/circle.hpp"
 #include "body/shapes/ellipse.hpp"
 #include "exact/spinning_cylinder.hpp"
+#include "vortex/coarse_flow.hpp"
 #include "vortex/solver.hpp"
 
 using namespace vortree;
@@ -19,20 +20,7 @@ const double pi = std::numbers::pi;
 /// A body of length 1, coarse enough for a test.
 vortex::Setup beside(std::unique_ptr<body::Shape> shape, const body::Motion& motion = {},
                      Vec2 stream = {1, 0}, double nu = 0.01, double dt = 0.02, int panels = 160) {
-  vortex::Setup made{.problem = {.flow = {stream, nu, motion},
-                                 .dt = dt,
-                                 .advecting_cores = std::numbers::sqrt2,
-                                 .sigma_0 = std::sqrt(2 * nu * dt),
-                                 .splitting = {.sigma_max = std::sqrt(8 * nu * dt)},
-                                 .merging = {.tolerance = 0.02,
-                                             .reach = 3,
-                                             .sigma_max = 1.1 * std::sqrt(8 * nu * dt)},
-                                 .faintest = 1e-12,
-                                 .sums = {.tolerance = 1e-5, .cores = fmm::Cores::mean}},
-                     .scales = {.body = true, .impulsive = true}};
-  made.wall = std::make_unique<vortex::Wall>(std::move(shape), panels);
-  if (motion.turns()) made.turning = std::make_unique<vortex::Turning>(*made.wall);
-  return made;
+  return test::coarse_flow(std::move(shape), motion, stream, nu, dt, panels);
 }
 
 /// C_p and C_f of each panel, and the middles and tangents they belong to.

@@ -56,13 +56,9 @@ std::vector<double> sheet_outside(const Wall& wall, std::span<const double> w) {
   const std::size_t n = wall.panels();
   std::vector<double> a(n * n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 t = wall.tangent(i), normal{t.y, -t.x};
-    for (std::size_t j = 0; j < n; ++j) {
-      const Vec2 d = wall.middle(i) - wall.middle(j);
-      const double k =
-          i == j ? wall.shape().nearest(wall.middle(i)).curvature / 2 : dot(normal, d) / dot(d, d);
-      a[i * n + j] = (i == j ? 0.5 : 0.0) + panel::inverse_two_pi * wall.panel_length() * k;
-    }
+    const std::vector<double> k = wall.kernel(i);
+    for (std::size_t j = 0; j < n; ++j)
+      a[i * n + j] = (i == j ? 0.5 : 0.0) + panel::inverse_two_pi * wall.panel_length() * k[j];
   }
   return LinearSystem(a, n).solve(w);
 }

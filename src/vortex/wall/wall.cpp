@@ -17,20 +17,16 @@ const double gauss = 0.5 / std::sqrt(3.0);
 
 /// The sheet's equations and, last, its circulation; their multiplier takes up what a discrete slip
 /// misses of being free of circulation.
-std::vector<double> sheet_equations(const body::Shape& shape, const std::vector<Vec2>& middle,
-                                    double length) {
-  const std::size_t n = middle.size();
+std::vector<double> sheet_equations(const Wall& wall) {
+  const std::size_t n = wall.panels();
   std::vector<double> a((n + 1) * (n + 1));
   for (std::size_t i = 0; i < n; ++i) {
-    const body::WallPoint at = shape.nearest(middle[i]);
+    const std::vector<double> k = wall.kernel(i);
     double* row = &a[i * (n + 1)];
-    for (std::size_t j = 0; j < n; ++j) {
-      const Vec2 d = middle[i] - middle[j];
-      const double k = i == j ? at.curvature / 2 : dot(at.normal, d) / dot(d, d);
-      row[j] = (i == j ? 0.5 : 0.0) - panel::inverse_two_pi * length * k;
-    }
+    for (std::size_t j = 0; j < n; ++j)
+      row[j] = (i == j ? 0.5 : 0.0) - panel::inverse_two_pi * wall.panel_length() * k[j];
     row[n] = 1;
-    a[n * (n + 1) + i] = length;
+    a[n * (n + 1) + i] = wall.panel_length();
   }
   return a;
 }
@@ -55,7 +51,17 @@ Wall::Wall(std::shared_ptr<const body::Shape> shape, int panels) : shape_(std::m
   }
   near_.emplace(edge_, middle_, tangent_, samples(), length_);
   far_.emplace(edge_, middle_, length_, near_->aside());
-  system_.emplace(sheet_equations(*shape_, middle_, length_), middle_.size() + 1);
+  system_.emplace(sheet_equations(*this), middle_.size() + 1);
+}
+
+std::vector<double> Wall::kernel(std::size_t i) const {
+  const body::WallPoint at = shape_->nearest(middle_[i]);
+  std::vector<double> k(panels());
+  for (std::size_t j = 0; j < k.size(); ++j) {
+    const Vec2 d = middle_[i] - middle_[j];
+    k[j] = i == j ? at.curvature / 2 : dot(at.normal, d) / dot(d, d);
+  }
+  return k;
 }
 
 Wall::Missed& Wall::Missed::operator+=(const Missed& other) {

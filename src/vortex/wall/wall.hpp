@@ -69,6 +69,9 @@ class Wall {
   void add_stream_function(std::span<const double> sheet, const fmm::Options& sums,
                            tree::Points targets, std::span<double> psi) const;
 
+  /// 2 pi K(x_i, x_j) for all j [1/m].
+  std::vector<double> kernel(std::size_t i) const;
+
   /// Of the body [m^2], and int x dA over it [m^3].
   double area() const;
   Vec2 area_moment() const;
