@@ -108,12 +108,18 @@ struct ListOfTables {
   std::function<std::vector<Key>(std::size_t number)> keys;
 };
 
+/// A place for a table within another, `[body.motion]`, which may be lacking.
+struct InnerTable {
+  std::function<bool()> present;
+  std::function<std::vector<Key>()> keys;  ///< of the table, which is made if it is lacking
+};
+
 /// Where the value of a key lives.
 using Target = std::variant<bool*, double*, int*, std::int64_t*, std::string*, std::vector<double>*,
                             std::vector<Pair>*, std::array<double, 2>*, std::array<double, 4>*,
                             std::optional<double>*, std::optional<std::string>*,
                             std::optional<std::vector<double>>*,
-                            std::optional<std::array<double, 4>>*, OneOf, ListOfTables>;
+                            std::optional<std::array<double, 4>>*, OneOf, ListOfTables, InnerTable>;
 
 /// A key of a table. It is good as long as the table that it was made of stays where it is.
 ///
@@ -139,12 +145,25 @@ template <class T>
   }
 }
 
-/// A list of tables of settings, whose keys their own function `keys` tells.
+/// Tables of settings, whose keys their own function `keys` tells.
+template <class Settings>
+[[nodiscard]] ListOfTables list_of(std::vector<Settings>& all) {
+  return {[&all] { return all.size(); }, [&all](std::size_t n) { all.resize(n); },
+          [&all](std::size_t number) { return keys(all[number]); }};
+}
+
 template <class Settings>
 [[nodiscard]] Key list(std::string_view name, std::vector<Settings>& all, std::string says) {
+  return {name, list_of(all), anything, "", std::move(says)};
+}
+
+/// A table within another.
+template <class Settings>
+[[nodiscard]] Key inner(std::string_view name, std::optional<Settings>& settings,
+                        std::string says) {
   return {name,
-          ListOfTables{[&all] { return all.size(); }, [&all](std::size_t n) { all.resize(n); },
-                       [&all](std::size_t number) { return keys(all[number]); }},
+          InnerTable{[&settings] { return settings.has_value(); },
+                     [&settings] { return keys(settings ? *settings : settings.emplace()); }},
           anything, "", std::move(says)};
 }
 
@@ -162,11 +181,13 @@ requires requires(T& value) {
 /// required  a scene without it is refused
 /// present   whether the scene has it; only an optional one may be lacking
 /// keys      those of the table, which is made, with its defaults, if the scene lacks it
+/// others    those after the first, of one that a scene may have several of, `[[body]]`
 struct SceneTable {
   std::string_view name;
   bool required;
   std::function<bool()> present;
   std::function<std::vector<Key>()> keys;
+  std::optional<ListOfTables> others{};
 };
 
 /// A table that is always there, if need be with its defaults.
@@ -180,6 +201,15 @@ template <class Settings>
 [[nodiscard]] SceneTable table(std::string_view name, std::optional<Settings>& settings) {
   return {name, false, [&settings] { return settings.has_value(); },
           [&settings] { return keys(settings ? *settings : settings.emplace()); }};
+}
+
+/// One that it may lack, or have several of.
+template <class Settings>
+[[nodiscard]] SceneTable table(std::string_view name, std::optional<Settings>& settings,
+                               std::vector<Settings>& others) {
+  SceneTable made = table(name, settings);
+  made.others = list_of(others);
+  return made;
 }
 
 /// What a scene says and cannot mean, in words for the user.

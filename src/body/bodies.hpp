@@ -18,11 +18,13 @@ namespace vortree::body {
 ///
 /// shape   as seen from its centre
 /// centre  at t = 0, in the scene
+/// motion  of all bodies together
+/// own     beside that
 /// panels  so many pieces of its wall, of equal length, are told apart
 struct Body {
   std::shared_ptr<const Shape> shape;
   Vec2 centre{};
-  Motion motion{};
+  Motion motion{}, own{};
   int panels = 0;
 };
 using Bodies = std::vector<Body>;

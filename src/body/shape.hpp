@@ -26,11 +26,14 @@ struct OutlinePoint {
   double curvature, arc;
 };
 
-/// A closed curve without double points: all that the wall knows of a body.
+/// A closed curve without double points, or several apart from each other (body/group.hpp): all that
+/// the wall knows of bodies.
 class Shape {
  public:
   virtual ~Shape() = default;
   virtual double perimeter() const = 0;
+  /// Of each of the curves, whose arcs run on from one to the next
+  virtual std::vector<double> perimeters() const { return {perimeter()}; }
   virtual Vec2 point(double arc) const = 0;
   virtual WallPoint nearest(Vec2 at) const = 0;
   /// nearest(at).distance, to round-off, for those who need no more

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "body/extent.hpp"
+#include "body/group.hpp"
 #include "body/shapes/shapes.hpp"
 #include "flow/steps.hpp"
 
@@ -27,8 +28,9 @@ std::vector<Key> keys(Case& of) {
 }
 
 std::vector<SceneTable> tables(Case& of) {
-  return {table("flow", of.flow, true), table("body", of.body),       table("plunge", of.plunge),
-          table("motion", of.motion),   table("initial", of.initial), table("time", of.time, true),
+  return {table("flow", of.flow, true), table("body", of.body, of.others),
+          table("plunge", of.plunge),   table("motion", of.motion),
+          table("initial", of.initial), table("time", of.time, true),
           table("output", of.output)};
 }
 
@@ -36,6 +38,7 @@ namespace {
 
 constexpr double most_picture_points = 1e8;
 constexpr double most_tracers = 1e6;
+constexpr double closest = 0.01;  // of the smaller body's length
 
 double fastest_plunge(const Case& of) {
   if (!of.plunge) return 0;
@@ -71,9 +74,14 @@ double fastest_travel(const Case& of) {
 
 /// Of the wall about the centre.
 double fastest_turn(const Case& of) {
-  if (!of.motion) return 0;
-  const double rate = std::abs(of.motion->spin) + FastestMoves(of.motion->course).rate;
-  return rate * body::length_of(*of.body) / 2;
+  double fastest = 0;
+  const double common =
+      of.motion ? std::abs(of.motion->spin) + FastestMoves(of.motion->course).rate : 0;
+  for (const body::BodySettings& one : every_body(of)) {
+    const double rate = common + (one.motion ? std::abs(one.motion->spin) : 0);
+    fastest = std::max(fastest, rate * body::length_of(one) / 2);
+  }
+  return fastest;
 }
 
 void refuse_plunge(const Case& of) {
@@ -91,6 +99,68 @@ void refuse_motion(const Case& of) {
                   fmt::format("motion.spin is {}; only a circle can turn in its place, body.shape "
                               "is \"{}\"",
                               of.motion->spin, of.body->shape->name));
+}
+
+/// What a body's own settings refuse, under the name that it has among several.
+void refuse_named(const Case& of, std::size_t number, const body::BodySettings& body) {
+  try {
+    body::refuse(body);
+  } catch (const Refused& refused) {
+    if (of.others.empty()) throw;
+    const std::string own = fmt::format("body[{}]", number);
+    std::string words = refused.what();
+    for (std::size_t at = 0; (at = words.find("body.", at)) != std::string::npos;
+         at += own.size() + 1)
+      words.replace(at, 4, own);
+    throw Refused(own + refused.key.substr(std::min<std::size_t>(4, refused.key.size())), words);
+  }
+}
+
+void refuse_own_motion(const Case& of, std::size_t number, const body::BodySettings& body) {
+  const std::string key = key_of_body(of, number, "motion");
+  if (of.others.empty())
+    throw Refused(key,
+                  "[body.motion] is for one of several bodies; of a single one write [motion]");
+  const body::MotionSettings& own = *body.motion;
+  if (own.given_by_time())
+    throw Refused(key, key +
+                           " has x, y, angle or file: bodies do not move against each other; "
+                           "spin alone was expected");
+  if (own.spin == 0) throw Refused(key, key + " needs the key spin");
+  if (!body::round(body))
+    throw Refused(key, fmt::format("{}.spin is {}; only a circle can turn in its place, its shape "
+                                   "is \"{}\"",
+                                   key, own.spin, body.shape->name));
+}
+
+/// Bodies that overlap, or come closer than a hundredth of the smaller one.
+void refuse_gaps(const Case& of) {
+  const body::Bodies bodies = bodies_of(of);
+  const auto placed = [&](std::size_t k) {
+    return body::Placed(bodies[k].shape, bodies[k].centre);
+  };
+  for (std::size_t k = 1; k < bodies.size(); ++k)
+    for (std::size_t before = 0; before < k; ++before) {
+      const double gap = body::gap_between(placed(before), placed(k));
+      const double least = closest * std::min(body::length_of(every_body(of)[before]),
+                                              body::length_of(every_body(of)[k]));
+      if (gap < least)
+        throw Refused(
+            fmt::format("body[{}].centre", k),
+            gap > 0 ? fmt::format("body[{}] and body[{}] are {:.3g} apart; {:.3g} is the "
+                                  "least that can be computed",
+                                  before, k, gap, least)
+                    : fmt::format("body[{}] and body[{}] overlap, by {:.3g}", before, k, -gap));
+    }
+}
+
+void refuse_several(const Case& of) {
+  if (of.others.empty()) return;
+  if (of.motion && of.motion->spin != 0)
+    throw Refused("motion.spin",
+                  "motion.spin is of a single circle; of several bodies write "
+                  "[body.motion] with spin below each that turns");
+  refuse_gaps(of);
 }
 
 void refuse_tracers(const Case& of) {
@@ -182,7 +252,12 @@ void complete_times(Case& of) {
 }
 
 void refuse_senseless(const Case& of) {
-  if (of.body) body::refuse(*of.body);
+  const std::vector<body::BodySettings> bodies = every_body(of);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    refuse_named(of, k, bodies[k]);
+    if (bodies[k].motion) refuse_own_motion(of, k, bodies[k]);
+  }
+  refuse_several(of);
   if (of.plunge) refuse_plunge(of);
   if (of.motion) refuse_motion(of);
   if (of.initial) refuse(*of.initial);
@@ -196,17 +271,35 @@ void refuse_senseless(const Case& of) {
 }
 
 void refuse_rest(const Case& of) {
+  if (!of.others.empty() && of.motion && of.motion->course.turns())
+    throw Refused(of.motion->angle ? "motion.angle" : "motion.file",
+                  "[motion] turns several bodies; together they can only travel");
   if (of.body && !of.initial && speed_of(of) == 0)
     throw Refused("flow",
                   "nothing moves: a body needs a flow.stream, a [plunge], a [motion] or [initial] "
                   "vorticity");
 }
 
+std::vector<body::BodySettings> every_body(const Case& of) {
+  std::vector<body::BodySettings> all;
+  if (of.body) all.push_back(*of.body);
+  all.insert(all.end(), of.others.begin(), of.others.end());
+  return all;
+}
+
+std::string key_of_body(const Case& of, std::size_t number, std::string_view key) {
+  return of.others.empty() ? fmt::format("body.{}", key) : fmt::format("body[{}].{}", number, key);
+}
+
 body::Bodies bodies_of(const Case& of) {
-  if (!of.body) return {};
-  const auto [x, y] = of.body->centre;
-  return {
-      {body::outline_of(*of.body), {x, y}, body::motion_of(of.plunge, of.motion), of.body->panels}};
+  body::Bodies all;
+  for (const body::BodySettings& one : every_body(of))
+    all.push_back({body::outline_of(one),
+                   {one.centre[0], one.centre[1]},
+                   body::motion_of(of.plunge, of.motion),
+                   body::motion_of(std::nullopt, one.motion),
+                   one.panels});
+  return all;
 }
 
 std::optional<PeriodicFlow> periodic_flow_of(const Case& of) {

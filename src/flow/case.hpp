@@ -16,6 +16,11 @@ namespace vortree::flow {
 
 /// What a scene says of a flow, whatever method computes it. Every key of the TOML file is the
 /// member of the same name.
+///
+/// body    the first, by whose length coefficients and the Reynolds number go, and from whose centre
+///         a method may see all
+/// others  those beside it, of the second [[body]] on
+/// motion  of all bodies together, as is plunge
 struct Case {
   std::string title{};
   std::int64_t seed = 1;
@@ -23,6 +28,7 @@ struct Case {
   std::optional<double> accuracy{};
   FlowSettings flow{};
   std::optional<body::BodySettings> body{};
+  std::vector<body::BodySettings> others{};
   std::optional<body::PlungeSettings> plunge{};
   std::optional<body::MotionSettings> motion{};
   std::optional<InitialSettings> initial{};
@@ -53,7 +59,8 @@ void complete_times(Case& of);
 ///         fills the plane
 void refuse_senseless(const Case& of);
 
-/// throws  Refused for a body at rest in fluid at rest. The course of its motion must be there.
+/// throws  Refused for a body at rest in fluid at rest, or several that turn together. The course
+///         of their motion must be there.
 void refuse_rest(const Case& of);
 
 /// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
@@ -63,6 +70,12 @@ void refuse_rest(const Case& of);
 
 /// The initial flow, if it is one that fills the plane.
 [[nodiscard]] std::optional<PeriodicFlow> periodic_flow_of(const Case& of);
+
+/// What the scene says of each body, the first first.
+[[nodiscard]] std::vector<body::BodySettings> every_body(const Case& of);
+
+/// The key of a body's table, as errors name it: body.panels, or of one of several body[1].panels.
+[[nodiscard]] std::string key_of_body(const Case& of, std::size_t number, std::string_view key);
 
 /// The bodies as they stand at t = 0.
 [[nodiscard]] body::Bodies bodies_of(const Case& of);

@@ -97,19 +97,27 @@ Measures ForceHistory::none(bool body) {
   return none;
 }
 
-void ForceHistory::save(State& state) const {
+Measures ForceHistory::of_body(const Measures& all, std::size_t number) {
+  Measures own;
+  for (const Measure& one : all)
+    if (!one.name.ends_with("_impulse"))
+      own.push_back({one.name + "_" + std::to_string(number), one.unit, one.value});
+  return own;
+}
+
+void ForceHistory::save(State& state, const std::string& body) const {
   std::vector<Force> forces = recent_;
   for (const auto& [name, number] : numbers) {
-    std::vector<double>& values = state[name];
+    std::vector<double>& values = state[name + body];
     values.clear();
     for (Force& force : forces) values.push_back(number(force));
   }
 }
 
-void ForceHistory::restore(const State& state) {
-  recent_.assign(saved(state, numbers[0].first).size(), {});
+void ForceHistory::restore(const State& state, const std::string& body) {
+  recent_.assign(saved(state, numbers[0].first + body).size(), {});
   for (const auto& [name, number] : numbers) {
-    const std::vector<double>& values = saved(state, name);
+    const std::vector<double>& values = saved(state, name + body);
     for (std::size_t k = 0; k < recent_.size(); ++k) number(recent_[k]) = values.at(k);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -51,11 +52,16 @@ class ForceHistory {
   /// The same of the last, when no other will come; two must be known.
   Measures of_last() const;
 
+  /// Of these, what is told of one of several bodies, by the wall alone, under names that end with
+  /// its number from 1 on: cd_wall_1, cl_wall_1, cd_pressure_1, ..., cm_wall_1.
+  static Measures of_body(const Measures& all, std::size_t number);
+
   /// The same names with values of 0; for flows without a body the first four.
   static Measures none(bool body);
 
-  void save(State& state) const;
-  void restore(const State& state);
+  /// body  tells the histories of several bodies apart
+  void save(State& state, const std::string& body = "") const;
+  void restore(const State& state, const std::string& body = "");
 
  private:
   static constexpr std::size_t most = 4;

@@ -77,8 +77,11 @@ class Solver {
   /// of a flow that has not moved since it was made or restored.
   virtual Measures counts() const { return {}; }
 
-  /// What the body feels; none without one.
+  /// What the body feels, or all bodies together; none without one.
   virtual std::optional<Force> force() const = 0;
+
+  /// What each of several bodies feels, without the impulse of the fluid; none of a single one.
+  virtual std::vector<Force> forces_on_each() const { return {}; }
 
   /// The route by which coefficients are told, "impulse" or "wall"; the other is a check.
   virtual std::string route() const { return "impulse"; }

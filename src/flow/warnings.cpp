@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "body/extent.hpp"
 #include "flow/initial/widths.hpp"
@@ -70,7 +71,8 @@ std::array<double, 4> place_of_flow(const Case& of) {
     add({centre[0] + of.time.end * of.flow.stream[0], centre[1] + of.time.end * of.flow.stream[1]},
         half);
   };
-  if (of.body) add_moving(of.body->centre, body::half_extent(*of.body));
+  for (const body::BodySettings& one : every_body(of))
+    add_moving(one.centre, body::half_extent(one));
   if (of.initial && !of.initial->kind->periodic) {
     const auto [x, y] = half_extent(*of.initial);
     add_moving(of.initial->centre, {x, y});
@@ -100,7 +102,8 @@ void doubt_output(Warnings& list, const Case& of) {
 
 Warnings warnings(const Case& of) {
   Warnings list;
-  if (of.body) list = body::told_of(*of.body);
+  for (const body::BodySettings& one : every_body(of))
+    std::ranges::move(body::told_of(one), std::back_inserter(list));
   doubt_times(list, of);
   doubt_output(list, of);
   return list;

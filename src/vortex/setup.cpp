@@ -1,8 +1,10 @@
 #include "vortex/setup.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "body/group.hpp"
 #include "vortex/blobs/lattice.hpp"
 #include "vortex/choice/scales.hpp"
 #include "vortex/tuning.hpp"
@@ -60,6 +62,38 @@ Blobs outside(const body::Shape& shape, const Blobs& all) {
   return kept;
 }
 
+/// As seen from the first of them.
+std::vector<WallBody> wall_bodies(const body::Bodies& bodies) {
+  std::vector<WallBody> all;
+  for (const body::Body& one : bodies) {
+    const Vec2 at = one.centre - bodies.front().centre;
+    if (all.empty())
+      all.push_back({one.shape, one.panels});
+    else
+      all.push_back({std::make_shared<body::Placed>(one.shape, at), one.panels, at});
+  }
+  return all;
+}
+
+bool turns(const body::Bodies& bodies) {
+  return std::ranges::any_of(
+      bodies, [](const body::Body& one) { return one.motion.turns() || one.own.turns(); });
+}
+
+/// The wall, and what goes with bodies that turn.
+void add_walls(Setup& made, const body::Bodies& bodies) {
+  const std::vector<WallBody> all = wall_bodies(bodies);
+  made.wall = std::make_unique<Wall>(all);
+  if (turns(bodies)) made.turning = turnings(*made.wall, all);
+  made.blobs = outside(made.wall->shape(), made.blobs);
+}
+
+std::vector<body::Motion> own_motions(const body::Bodies& bodies) {
+  std::vector<body::Motion> own;
+  for (const body::Body& one : bodies) own.push_back(one.own);
+  return own;
+}
+
 }  // namespace
 
 Setup setup_of(const VortexCase& scene) {
@@ -67,16 +101,14 @@ Setup setup_of(const VortexCase& scene) {
   const flow::Scales scales = flow::scales_of(scene);
   const body::Bodies bodies = flow::bodies_of(scene);
   const body::Motion motion = bodies.empty() ? body::Motion{} : bodies.front().motion;
-  if (!bodies.empty())
-    made.wall = std::make_unique<Wall>(bodies.front().shape, bodies.front().panels);
-  if (motion.turns()) made.turning = std::make_unique<Turning>(*made.wall);
   made.blobs = turned(initial_blobs(scene), Turn(-motion.at(0).angle));
-  if (!bodies.empty()) made.blobs = outside(*bodies.front().shape, made.blobs);
+  if (!bodies.empty()) add_walls(made, bodies);
   made.scales = scales;
   made.origin = origin_of(scene);
   made.box = box_of(scene.merging);
   made.problem = {
-      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu, motion},
+      .flow = {vec(scene.flow.stream) - made.origin.drift, scene.flow.nu, motion,
+               own_motions(bodies)},
       .dt = scene.time.dt,
       .scheme = scene.time.scheme,
       .advecting_cores = scene.velocity.cores == PairCores::both ? std::numbers::sqrt2 : 1,

@@ -51,13 +51,17 @@ constexpr std::pair<const char*, double& (*)(Outflow&)> of_outflow[] = {
 constexpr std::pair<const char*, double& (*)(Wake&)> of_wake[] = {
     {"wake moment_x", [](Wake& w) -> double& { return w.moment.x; }},
     {"wake moment_y", [](Wake& w) -> double& { return w.moment.y; }},
-    {"wake pressure_x", [](Wake& w) -> double& { return w.pressure.x; }},
-    {"wake pressure_y", [](Wake& w) -> double& { return w.pressure.y; }},
-    {"wake friction_x", [](Wake& w) -> double& { return w.friction.x; }},
-    {"wake friction_y", [](Wake& w) -> double& { return w.friction.y; }},
-    {"wake pressure_moment", [](Wake& w) -> double& { return w.pressure_moment; }},
-    {"wake friction_moment", [](Wake& w) -> double& { return w.friction_moment; }},
     {"wake bubble_length", [](Wake& w) -> double& { return w.bubble_length; }}};
+
+/// Numbers of a load, likewise.
+constexpr std::pair<const char*, double& (*)(Load&)> of_load[] = {
+    {"_x", [](Load& l) -> double& { return l.force.x; }},
+    {"_y", [](Load& l) -> double& { return l.force.y; }},
+    {"_moment", [](Load& l) -> double& { return l.moment; }}};
+
+/// Loads of bodies, likewise.
+constexpr std::pair<const char*, std::vector<Load> Wake::*> of_bodies[] = {
+    {"wake pressure", &Wake::pressure}, {"wake friction", &Wake::friction}};
 
 /// Columns of what drifts.
 constexpr std::pair<const char*, std::vector<double> Drifting::*> of_drifting[] = {
@@ -83,12 +87,32 @@ void restore_numbers(const flow::State& state, const auto& numbers, auto& of) {
   for (const auto& [name, number] : numbers) number(of) = flow::saved_number(state, name);
 }
 
+/// A number of each body.
+void save_loads(flow::State& state, Wake wake) {
+  for (const auto& [of, loads] : of_bodies)
+    for (const auto& [name, number] : of_load) {
+      std::vector<double>& values = state[std::string(of) + name];
+      values.clear();
+      for (Load& load : wake.*loads) values.push_back(number(load));
+    }
+}
+
+void restore_loads(const flow::State& state, std::size_t bodies, Wake& wake) {
+  for (const auto& [of, loads] : of_bodies) {
+    (wake.*loads).resize(bodies);
+    for (const auto& [name, number] : of_load) {
+      const std::vector<double>& values = flow::saved(state, std::string(of) + name);
+      for (std::size_t k = 0; k < bodies; ++k) number((wake.*loads)[k]) = values.at(k);
+    }
+  }
+}
+
 }  // namespace
 
 VortexSolver::VortexSolver(Setup setup)
     : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
   setup_.problem.wall = wall();
-  setup_.problem.turning = setup_.turning.get();
+  setup_.problem.turning = setup_.turning;
   setup_.problem.box = box_at(0);
   take(start(blobs_, setup_.problem));
   second_moment_at_start_ = flow::measured(measures_, "second_moment");
@@ -171,7 +195,8 @@ flow::Measures VortexSolver::measure() const {
   const Invariants now = invariants(blobs_, shape());
   const Flow& flow = setup_.problem.flow;
   double circulation = now.circulation + wake_.outflow.gamma;
-  if (setup_.turning) circulation += flow.motion.at(time()).rate * setup_.turning->circulation;
+  for (std::size_t k = 0; k < setup_.turning.size(); ++k)
+    circulation += flow.rate(k, time()) * setup_.turning[k].circulation;
   Vec2 moment = wall() ? wake_.moment : now.moment + wake_.outflow.moment;
   // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
   const Vec2 from = wall() ? Vec2{} : origin();
@@ -179,7 +204,8 @@ flow::Measures VortexSolver::measure() const {
   if (elsewhere) moment = moment + circulation * from;
   const Moments moments = wall() ? Moments{} : vortex::moments(blobs_);
   const Vec2 plus = wall() ? Vec2{} : moments.positive_centre;
-  const bool wake = wall() && dot(flow.stream, flow.stream) > 0 && !flow.motion.moves();
+  const bool wake = wall() && wall()->rings().size() == 1 && dot(flow.stream, flow.stream) > 0 &&
+                    !flow.motion.moves();
   flow::Measures measures{
       {"blobs", "", static_cast<double>(blobs_.size())},
       {"circulation", "L^2/T", circulation},
@@ -207,30 +233,59 @@ flow::Measures VortexSolver::counts() const {
   return counts;
 }
 
+/// By the wall, of all that presses and drives on a body; the impulse of the fluid is that of all.
+flow::Force VortexSolver::force_on(std::size_t body) const {
+  const Load& pressure = wake_.pressure[body];
+  const Load& friction = wake_.friction[body];
+  return flow::Force{.t = time(),
+                     .pressure = pressure.force,
+                     .friction = friction.force,
+                     .frame = wall()->area(body) * acceleration_of_centroid(body),
+                     .pressure_moment = pressure.moment,
+                     .friction_moment = friction.moment,
+                     .frame_moment = moment_of_frame(body)};
+}
+
 std::optional<flow::Force> VortexSolver::force() const {
   if (!wall()) return std::nullopt;
   const Vec2 moment = wake_.moment;
-  return flow::Force{.t = time(),
-                     .impulse = {moment.y, -moment.x},
-                     .pressure = wake_.pressure,
-                     .friction = wake_.friction,
-                     .frame = wall()->area() * acceleration_of_centroid(),
-                     .pressure_moment = wake_.pressure_moment,
-                     .friction_moment = wake_.friction_moment,
-                     .frame_moment = moment_of_frame()};
+  const Load pressure = total(wake_.pressure, *wall()), friction = total(wake_.friction, *wall());
+  flow::Force all{.t = time(),
+                  .impulse = {moment.y, -moment.x},
+                  .pressure = pressure.force,
+                  .friction = friction.force,
+                  .pressure_moment = pressure.moment,
+                  .friction_moment = friction.moment};
+  for (std::size_t k = 0; k < wall()->rings().size(); ++k) {
+    const flow::Force own = force_on(k);
+    all.frame += own.frame;
+    all.frame_moment += own.frame_moment + dot(left_of(wall()->rings()[k].centre), own.frame);
+  }
+  return all;
 }
 
-/// Of the force that drives the fluid with the body's centre, which acts on the body's centroid.
-double VortexSolver::moment_of_frame() const {
-  const Vec2 arm = axes_at(time())(wall()->area_moment());
-  return dot(left_of(arm), setup_.problem.flow.motion.at(time()).acceleration);
+std::vector<flow::Force> VortexSolver::forces_on_each() const {
+  std::vector<flow::Force> each;
+  for (std::size_t k = 0; wall() && k < wall()->rings().size(); ++k) each.push_back(force_on(k));
+  return each.size() > 1 ? each : std::vector<flow::Force>{};
 }
 
-Vec2 VortexSolver::acceleration_of_centroid() const {
+/// Of the force that drives the fluid with the frame, which acts on the body's centroid.
+double VortexSolver::moment_of_frame(std::size_t body) const {
+  const Vec2 from_centre =
+      wall()->area_moment(body) - wall()->area(body) * wall()->rings()[body].centre;
+  return dot(left_of(axes_at(time())(from_centre)),
+             setup_.problem.flow.motion.at(time()).acceleration);
+}
+
+Vec2 VortexSolver::acceleration_of_centroid(std::size_t body) const {
   const body::Kinematics now = setup_.problem.flow.motion.at(time());
-  if (!setup_.turning) return now.acceleration;
-  const Vec2 arm = Turn(now.angle)(1 / setup_.turning->circulation * setup_.turning->moment);
-  return now.acceleration + now.spin_up * left_of(arm) - now.rate * now.rate * arm;
+  if (setup_.turning.empty()) return now.acceleration;
+  const Turning& turning = setup_.turning[body];
+  const Vec2 arm = Turn(now.angle)(2 / turning.circulation * turning.of_centroid);
+  const body::Kinematics own = setup_.problem.flow.own_at(body, time());
+  const double rate = now.rate + own.rate;
+  return now.acceleration + (now.spin_up + own.spin_up) * left_of(arm) - rate * rate * arm;
 }
 
 double VortexSolver::drift_now() const {
@@ -263,6 +318,8 @@ std::vector<double> VortexSolver::stream_function(tree::Points at) const {
 }
 
 flow::FrameTable VortexSolver::frame_table() const {
+  if (wall() && wall()->rings().size() > 1)
+    return {"wall.csv", {"t", "T", "body", "angle_deg", "vorticity", "sheet", "cp", "cf"}};
   if (wall()) return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "sheet", "cp", "cf"}};
   return {"energy.csv", {"t", "energy", "enstrophy"}};
 }
@@ -277,17 +334,20 @@ std::vector<double> VortexSolver::frame_rows() const {
   }
   if (steps_ == 0) return {};  // the wall vorticity of an impulsive start is infinite
   const std::vector<double> pressure = wall_pressure(blobs_, setup_.problem, wake_.pressure_slope);
-  const double as_a_whole = setup_.turning ? 2 * setup_.problem.flow.motion.at(t).rate : 0;
   const double unit = setup_.scales.length * setup_.scales.of_force();
   const double T = setup_.scales.T(t);
   const Vec2 s = setup_.scales.along;
   const Turn axes = axes_at(t);
   for (std::size_t i = 0; i < wall()->panels(); ++i) {
-    const Vec2 d = axes(wall()->middle(i));
+    const std::size_t body = wall()->ring_of(i);
+    const Vec2 d = axes(wall()->middle(i) - wall()->rings()[body].centre);
     const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
+    const double as_a_whole = !setup_.turning.empty() ? 2 * setup_.problem.flow.rate(body, t) : 0;
     const double friction = setup_.problem.flow.nu * (wake_.wall_vorticity[i] - as_a_whole);
-    rows.insert(rows.end(), {t, T, angle, wake_.wall_vorticity[i], wake_.sheet[i],
-                             unit * pressure[i], unit * friction});
+    rows.insert(rows.end(), {t, T});
+    if (wall()->rings().size() > 1) rows.push_back(static_cast<double>(body + 1));
+    rows.insert(rows.end(), {angle, wake_.wall_vorticity[i], wake_.sheet[i], unit * pressure[i],
+                             unit * friction});
   }
   return rows;
 }
@@ -322,6 +382,7 @@ void VortexSolver::save(flow::State& state) const {
   state["largest_drift"] = {drift_};
   if (!wall()) return;
   save_numbers(state, of_wake, wake_);
+  save_loads(state, wake_);
   state["sheet"] = wake_.sheet;
   state["wall_vorticity"] = wake_.wall_vorticity;
   state["pressure_slope"] = wake_.pressure_slope;
@@ -355,6 +416,7 @@ void VortexSolver::restore(long steps, const flow::Columns& columns, const flow:
   wake_.outflow = problem.outflow;
   if (wall()) {
     restore_numbers(state, of_wake, wake_);
+    restore_loads(state, wall()->rings().size(), wake_);
     wake_.sheet = flow::saved(state, "sheet");
     wake_.wall_vorticity = flow::saved(state, "wall_vorticity");
     wake_.pressure_slope = flow::saved(state, "pressure_slope");

@@ -14,12 +14,12 @@ namespace vortree::vortex {
 ///           impulse_y of blobs and sheet, per unit density; second_moment, sum gamma (|X - O|^2 +
 ///           sigma^2), O the body's centre, or that of the initial vorticity as the stream carries
 ///           it. Beside a wall (else 0): bubble_length in diameters; separation_deg from the rear;
-///           both 0 where the body moves. In free space (else 0): quadrupole_*, separation,
+///           both 0 where the body moves, and of several. In free space (else 0): quadrupole_*, separation,
 ///           circulation_plus, plus_*, plus the part that turns anticlockwise
 ///           (vortex/blobs/moments.hpp)
 /// counts    released, laid, split, beside_wall, merged (vortex/step.hpp)
 /// drift     beside a wall of the circulation, else of the second moment but for diffusion
-/// table     wall.csv, vorticity, sheet, C_p (wall_pressure.hpp) and C_f, the traction along the
+/// table     wall.csv, number of the body if there are several, vorticity, sheet, C_p (wall_pressure.hpp) and C_f, the traction along the
 ///           anticlockwise tangent, of each panel; or energy.csv of up to 20 000 blobs, for
 ///           the sum is over all pairs
 class VortexSolver final : public flow::Solver {
@@ -36,6 +36,7 @@ class VortexSolver final : public flow::Solver {
   flow::Measures measures() const override { return measures_; }
   flow::Measures counts() const override;
   std::optional<flow::Force> force() const override;
+  std::vector<flow::Force> forces_on_each() const override;
   double drift() const override { return drift_; }
   flow::Samples sample(tree::Points at) const override;
   std::vector<double> stream_function(tree::Points at) const override;
@@ -58,8 +59,9 @@ class VortexSolver final : public flow::Solver {
   bool turns() const { return setup_.problem.flow.motion.turns(); }
   /// The scene's places are not, bit by bit, those of the blobs.
   bool told_elsewhere() const { return dot(origin(), origin()) > 0 || turns(); }
-  Vec2 acceleration_of_centroid() const;
-  double moment_of_frame() const;
+  flow::Force force_on(std::size_t body) const;
+  Vec2 acceleration_of_centroid(std::size_t body) const;
+  double moment_of_frame(std::size_t body) const;
   std::optional<Box> box_at(double time) const;
   double time_of(long step) const { return static_cast<double>(step) * setup_.problem.dt; }
   flow::Measures measure() const;

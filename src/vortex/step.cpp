@@ -31,15 +31,20 @@ void add_stream(Velocities& u, Vec2 stream) {
   for (double& a : u.v) a += stream.y;
 }
 
-/// What surrounds the blobs at one time: the stream, and how fast the body turns.
+/// What surrounds the blobs at one time: the stream, and how fast each body turns.
 struct Around {
   Vec2 stream;
-  double rate;
+  std::vector<double> rates;
 
-  Around(const Problem& p, double time)
-      : stream(p.flow.stream_at(time)), rate(p.turning ? p.flow.motion.at(time).rate : 0) {}
+  Around(const Problem& p, double time) : stream(p.flow.stream_at(time)) {
+    for (std::size_t k = 0; k < p.turning.size(); ++k) rates.push_back(p.flow.rate(k, time));
+  }
 
-  double of_body(const Problem& p) const { return p.turning ? rate * p.turning->circulation : 0; }
+  double of_bodies(const Problem& p) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < rates.size(); ++k) sum += rates[k] * p.turning[k].circulation;
+    return sum;
+  }
 };
 
 void add(std::vector<double>& sum, double weight, std::span<const double> of) {
@@ -50,14 +55,15 @@ void add(std::vector<double>& sum, double weight, std::span<const double> of) {
 std::vector<double> slip_of(const Blobs& blobs, const FoldedBlobs& at, const Velocities& at_samples,
                             const Problem& p, const Around& around) {
   std::vector<double> slip = p.wall->slip(around.stream, at_samples, at, blobs.gamma);
-  if (p.turning) add(slip, around.rate, p.turning->slip);
+  for (std::size_t k = 0; k < p.turning.size(); ++k) add(slip, around.rates[k], p.turning[k].slip);
   return slip;
 }
 
-/// The sheet that moves fluid, and with it that of a body which turns.
+/// The sheet that moves fluid, and with it those of bodies that turn.
 std::vector<double> with_turning(std::vector<double> sheet, const Problem& p,
                                  const Around& around) {
-  if (p.turning) add(sheet, around.rate, p.turning->sheet);
+  for (std::size_t k = 0; k < p.turning.size(); ++k)
+    add(sheet, around.rates[k], p.turning[k].sheet);
   return sheet;
 }
 
@@ -77,10 +83,23 @@ Blobs with_drifting(const Blobs& blobs, const Problem& p) {
   return all;
 }
 
-/// Of all sheets, that which leaves no circulation in fluid and body together. `all` has those that
-/// drift, too.
-double sheet_circulation(const Blobs& all, const Problem& p, const Around& around) {
-  return -total(all.gamma) - (p.outflow.gamma - total(felt(p).gamma)) - around.of_body(p);
+/// Of all sheets, those that leave no circulation in fluid and bodies together: each body's own is
+/// that of its spin-up since the step began, or the start at once; what is missing besides, since
+/// faint blobs are let go or vorticity was there from the start, belongs to all. `all` has blobs
+/// that drift, too.
+std::vector<double> sheet_circulations(const Blobs& all, const Problem& p, const Around& around,
+                                       bool at_once = false) {
+  double missing =
+      -total(all.gamma) - (p.outflow.gamma - total(felt(p).gamma)) - around.of_bodies(p);
+  if (p.wall->rings().size() == 1 || p.turning.empty()) return p.wall->shared(missing);
+  std::vector<double> own;
+  for (std::size_t k = 0; k < p.turning.size(); ++k) {
+    const double before = at_once ? 0 : p.flow.rate(k, p.time);
+    own.push_back((before - around.rates[k]) * p.turning[k].circulation);
+    missing -= own.back();
+  }
+  add(own, 1, p.wall->shared(missing));
+  return own;
 }
 
 fmm::Sources as_sources(const Blobs& blobs, const FoldedBlobs& at) {
@@ -116,7 +135,7 @@ Velocities advecting_velocity(const Blobs& blobs, const FoldedBlobs& at, const P
   add_stream(u, around.stream);
   if (p.wall) {
     const auto slip = slip_of(blobs, at, at_samples, p, around);
-    const auto sheet = p.wall->sheet(slip, sheet_circulation(blobs, p, around));
+    const auto sheet = p.wall->sheet(slip, sheet_circulations(blobs, p, around));
     p.wall->add_velocity(with_turning(sheet, p, around), at_points(p.sums), {at.x, at.y}, u,
                          at.wall);
   }
@@ -132,7 +151,7 @@ struct AtRest {
 /// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
 /// blobs and sheet together.
 AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
-                  double time) {
+                  double time, bool at_once = false) {
   const Around around(p, time);
   AtRest result{{}, {}, Velocities(points.size())};
   Velocities at_samples(2 * p.wall->panels());
@@ -140,7 +159,7 @@ AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at
   plan.velocity_bare(p.wall->samples(), at_samples.u, at_samples.v);
   plan.velocity(fmm::Targets{points.x, points.y, {}}, result.u.u, result.u.v);
   result.slip = slip_of(blobs, at, at_samples, p, around);
-  result.sheet = p.wall->sheet(result.slip, sheet_circulation(blobs, p, around));
+  result.sheet = p.wall->sheet(result.slip, sheet_circulations(blobs, p, around, at_once));
   add_stream(result.u, around.stream);
   p.wall->add_velocity(with_turning(result.sheet, p, around), at_points(p.sums), points, result.u);
   return result;
@@ -148,6 +167,7 @@ AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at
 
 /// A sheet that is itself again, to the fourth power of a panel, when it has been smoothed along
 /// the wall by so much variance beyond its own, in squares of a panel's length.
+/// `sheet` is that of one body.
 std::vector<double> sharpened(std::span<const double> sheet, double variance) {
   const std::size_t n = sheet.size();
   std::vector<double> result(n);
@@ -158,18 +178,23 @@ std::vector<double> sharpened(std::span<const double> sheet, double variance) {
   return result;
 }
 
-/// What a sheet becomes: blobs of this core across the wall; along it as long as a panel, which
-/// leaves a ripple of 1e-4 between neighbors.
-Blobs released(std::span<const double> sheet, const Wall& wall, double core) {
-  const double b = wall.panel_length(), along = std::max(core, b);
+/// What the sheet of a body becomes: blobs of this core across the wall; along it as long as a
+/// panel, which leaves a ripple of 1e-4 between neighbors.
+void release(std::span<const double> sheet, const Wall& wall, const Ring& ring, double core,
+             Blobs& blobs) {
+  const double b = ring.length, along = std::max(core, b);
   const Covariance v{core * core / 2, 0, along * along / 2};
-  const std::vector<double> sharp = sharpened(sheet, (v.tt - v.nn) / (b * b));
-  Blobs blobs;
-  for (std::size_t i = 0; i < wall.panels(); ++i) {
+  const std::vector<double> sharp = sharpened(ring.of(sheet), (v.tt - v.nn) / (b * b));
+  for (std::size_t i = ring.first; i < ring.end(); ++i) {
     const body::WallPoint at = wall.shape().nearest(wall.middle(i));
-    blobs.append(wall.middle(i) - folded::sag(v.nn, v.tt, at.curvature) * at.normal, sharp[i] * b,
-                 core_of(v, at.normal));
+    blobs.append(wall.middle(i) - folded::sag(v.nn, v.tt, at.curvature) * at.normal,
+                 sharp[i - ring.first] * b, core_of(v, at.normal));
   }
+}
+
+Blobs released(std::span<const double> sheet, const Wall& wall, double core) {
+  Blobs blobs;
+  for (const Ring& ring : wall.rings()) release(sheet, wall, ring, core, blobs);
   return blobs;
 }
 
@@ -198,24 +223,24 @@ std::vector<double> as_released(const AtRest& at_rest, const Problem& p, double 
   return sheet;
 }
 
-/// What a body that turns has to do with impulse and pressure in the step that ends at `time`, all
-/// told in axes that do not turn. Its wall is driven by pressure beyond what the frame is, and the
-/// frame's own share (Flow::motion) is that of the body's centroid, not of its centre.
-void add_turning(Wake& wake, const Problem& p, double time) {
-  const body::Kinematics now = p.flow.motion.at(time), before = p.flow.motion.at(time - p.dt),
-                         between = p.flow.motion.at(time - p.dt / 2);
-  const Vec2 arm = 0.5 * p.turning->moment;  // of the centroid, times the area
-  const Turn turn(now.angle);
+/// What a body's own turning has to do with pressure in the step that ends at `time`, all told in
+/// axes that do not turn. Its wall is driven by pressure beyond what the frame is, and the frame's
+/// own share (Flow::motion) is that of the body's centroid, not of its centre.
+void add_turning_of(std::size_t k, Wake& wake, const Problem& p, double time) {
+  const double now = p.flow.rate(k, time), before = p.flow.rate(k, time - p.dt),
+               between = p.flow.rate(k, time - p.dt / 2);
+  const auto axes = [&](double t) { return Turn(p.flow.motion.at(t).angle); };
+  const Vec2 arm = left_of(p.turning[k].of_centroid);
   const std::vector<double> driven =
-      gained_along_wall(*p.wall, now.rate - before.rate, between.rate, p.dt);
-  wake.pressure =
-      Turn(between.angle)(wake.pressure + pressure_force(driven, *p.wall, p.dt)) -
-      1 / p.dt * (now.rate * turn(left_of(arm)) - before.rate * Turn(before.angle)(left_of(arm)));
-  wake.pressure_moment += pressure_moment(driven, *p.wall, p.dt);
+      gained_along_wall(*p.wall, p.wall->rings()[k], now - before, between, p.dt);
+  Load& pressure = wake.pressure[k];
+  pressure += pressure_loads(driven, *p.wall, p.dt)[k];
+  pressure.force = axes(time - p.dt / 2)(pressure.force) -
+                   1 / p.dt * (now * axes(time)(arm) - before * axes(time - p.dt)(arm));
   add(wake.pressure_slope, -1 / p.dt, driven);
-  wake.friction_moment -= 2 * p.flow.nu * now.rate * p.turning->circulation;
-  wake.moment = turn(wake.moment + now.rate * p.turning->moment);
-  wake.friction = turn(wake.friction);
+  wake.friction[k].moment -= 2 * p.flow.nu * now * p.turning[k].circulation;
+  wake.friction[k].force = axes(time)(wake.friction[k].force);
+  wake.moment += now * p.turning[k].moment;
 }
 
 /// `impulsive`: the slip has come about at once, and so has the sheet, on the wall.
@@ -228,9 +253,10 @@ Wake cancel_slip(Blobs& blobs, const WallPoints& found, const Problem& p, double
   Wake wake;
   const bool stream = dot(p.flow.stream, p.flow.stream) > 0 && !p.flow.motion.moves();
   const flow::WakeLine line =
-      stream ? flow::wake_line(p.wall->middles(), p.wall->shape(), p.flow.stream)
-             : flow::WakeLine{};
-  const AtRest at_rest = with_sheet(line.points(), all, at, p, time);
+      stream && p.wall->rings().size() == 1
+          ? flow::wake_line(p.wall->middles(), p.wall->shape(), p.flow.stream)
+          : flow::WakeLine{};
+  const AtRest at_rest = with_sheet(line.points(), all, at, p, time, impulsive);
   wake.sheet = impulsive ? at_rest.sheet : as_released(at_rest, p, core);
   const Blobs fresh = released(wake.sheet, *p.wall, core);
   wake.bubble_length = flow::bubble_length(line, at_rest.u.u, at_rest.u.v);
@@ -239,13 +265,12 @@ Wake cancel_slip(Blobs& blobs, const WallPoints& found, const Problem& p, double
   wake.moment = invariants(blobs, at).moment + of_sheet + p.outflow.moment;
   WallShear shear = wall_shear(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0, found);
   wake.wall_vorticity = std::move(shear.vorticity);
-  wake.friction = shear.friction;
-  wake.friction_moment = shear.moment;
-  wake.pressure = pressure_force(wake.sheet, *p.wall, p.dt);
-  wake.pressure_moment = pressure_moment(wake.sheet, *p.wall, p.dt);
+  wake.friction = std::move(shear.friction);
+  wake.pressure = pressure_loads(wake.sheet, *p.wall, p.dt);
   wake.pressure_slope.resize(p.wall->panels());
   add(wake.pressure_slope, -1 / p.dt, wake.sheet);
-  if (p.turning) add_turning(wake, p, time);
+  for (std::size_t k = 0; k < p.turning.size(); ++k) add_turning_of(k, wake, p, time);
+  if (p.flow.motion.turns()) wake.moment = Turn(p.flow.motion.at(time).angle)(wake.moment);
   append(blobs, fresh);
   return wake;
 }
@@ -440,8 +465,8 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
   Wake wake;
   wake.outflow = whole.outflow;
   wake.drifting = whole.drifting;
-  Vec2 pressure;
-  double pressure_moment = 0, time = whole.time;
+  std::vector<Load> pressure(whole.wall ? whole.wall->rings().size() : 0);
+  double time = whole.time;
   std::vector<double> slope(whole.wall ? whole.wall->panels() : 0);
   for (int k = 0; k < parts.count; ++k) {
     Problem p = part_of(whole, parts.length(k), parts.last);
@@ -451,13 +476,12 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
     const StepCounts before = wake.counts;
     wake = step_in_one(blobs, p, number + (static_cast<std::uint64_t>(k) << 32), phase);
     wake.counts = before + wake.counts;
-    pressure += parts.length(k) * wake.pressure;
-    pressure_moment += parts.length(k) * wake.pressure_moment;
+    for (std::size_t body = 0; body < pressure.size(); ++body)
+      pressure[body] += parts.length(k) * wake.pressure[body];
     add(slope, parts.length(k), wake.pressure_slope);
     time += p.dt;
   }
-  wake.pressure = pressure;
-  wake.pressure_moment = pressure_moment;
+  wake.pressure = std::move(pressure);
   wake.pressure_slope = std::move(slope);
   return wake;
 }

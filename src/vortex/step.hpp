@@ -14,18 +14,21 @@
 #include "vortex/blobs/outflow.hpp"
 #include "vortex/transport/convect.hpp"
 #include "vortex/transport/diffusion.hpp"
+#include "vortex/wall/forces.hpp"
 #include "vortex/wall/turning.hpp"
 #include "vortex/wall/wall.hpp"
 
 namespace vortree::vortex {
 
 /// stream  undisturbed velocity [m/s]; nu viscosity [m^2/s], 0: no diffusion, splitting or merging
-/// motion  of the body, in whose frame and axes, which turn with it, all is computed: positions,
-///         velocities
+/// motion  of the body, or of all bodies, in whose frame and axes, which turn with it, all is
+///         computed: positions, velocities
+/// own     of each of several bodies in that frame, or none
 struct Flow {
   Vec2 stream;
   double nu;
   body::Motion motion{};
+  std::vector<body::Motion> own{};
 
   /// The stream as the body sees it, and how far that goes in a time dt, in the axes at its end.
   Vec2 stream_at(double t) const {
@@ -36,6 +39,11 @@ struct Flow {
     const body::Kinematics later = motion.at(t + dt);
     return Turn(-later.angle)(dt * stream + motion.at(t).place - later.place);
   }
+  /// How a body moves in the frame of all, and how fast it turns in all.
+  body::Kinematics own_at(std::size_t body, double t) const {
+    return own.empty() ? body::Kinematics{} : own[body].at(t);
+  }
+  double rate(std::size_t body, double t) const { return motion.at(t).rate + own_at(body, t).rate; }
   /// By how much the axes turn in a time dt.
   double turned(double t, double dt) const {
     return motion.turns() ? motion.at(t + dt).angle - motion.at(t).angle : 0;
@@ -50,7 +58,7 @@ struct Flow {
 /// drifting  beside a wall those that have left the box and are still felt, by wall and blobs; the
 ///           body may feel as much as `unfelt` of a merger of them [m/s]
 /// wall      nullptr: free space
-/// turning   of a body that turns, else nullptr
+/// turning   of each body, or none where none turns
 /// most_blobs  a step that leaves more of them, or a substep, throws Multiplied
 /// advecting_cores  of a blob's core, that with which it advects others: 1, or sqrt(2), which in
 ///           the mean of a pair gives sigma_i^2 + sigma_j^2. Then each blob moves with the velocity
@@ -79,7 +87,7 @@ struct Problem {
   Drifting drifting{};
   double unfelt = 1e-5;
   const Wall* wall = nullptr;
-  const Turning* turning = nullptr;
+  std::span<const Turning> turning{};
   fmm::Options sums;
 };
 
@@ -98,23 +106,21 @@ struct StepCounts {
 /// Vectors are told in axes that do not turn.
 ///
 /// sheet           released at the end of the step [m/s], a value a panel
-/// moment          sum gamma X of blobs, released sheet, what has left, and a body that turns;
+/// moment          sum gamma X of blobs, released sheet, what has left, and bodies that turn;
 ///                 forces are its rate of change
 /// wall_vorticity  a value a panel [1/s]
-/// pressure        force on the body during the step, in its own frame, per unit density
-///                 [m^3/s^2] (motion.hpp)
+/// pressure        on each body during the step, in its own frame (motion.hpp)
 /// friction        the same, at the end of the step
 /// pressure_slope  dp/ds along each panel in the body's own frame, its mean over the step [m/s^2]
-/// pressure_moment, friction_moment   of both about the body's centre, anticlockwise [m^4/s^2]
-/// bubble_length   of the closed wake, with the sheet not yet released [m] (near_wake.hpp)
+/// bubble_length   of the closed wake of a single body, with the sheet not yet released [m]
+///                 (near_wake.hpp)
 /// outflow         all that has left the box, and `drifting` those of it that are still felt, to be
 ///                 handed to the next step
 struct Wake {
   std::vector<double> sheet;
   Vec2 moment;
   std::vector<double> wall_vorticity, pressure_slope;
-  Vec2 pressure, friction;
-  double pressure_moment = 0, friction_moment = 0;
+  std::vector<Load> pressure, friction;
   double bubble_length = 0;
   Outflow outflow{};
   Drifting drifting{};

@@ -39,15 +39,22 @@ double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Within the body what its own motion has; at its wall the mean of both is 0.
-void go_on_within(const Problem& p, tree::Points points, std::span<double> psi) {
-  const double rate = p.turning ? p.flow.motion.at(p.time).rate : 0;
+/// Within a body what its own motion has; at its wall the mean of both is `at_wall`.
+void go_on_within(const Problem& p, std::size_t body, double at_wall, tree::Points points,
+                  std::span<double> psi) {
+  const double rate = p.turning.empty() ? 0 : p.flow.rate(body, p.time);
+  const Ring& ring = p.wall->rings()[body];
   std::vector<double> squares;
-  for (const Vec2 at : p.wall->middles()) squares.push_back(dot(at, at));
-  const double at_wall = mean(squares);
+  for (std::size_t i = ring.first; i < ring.end(); ++i) {
+    const Vec2 arm = p.wall->middle(i) - ring.centre;
+    squares.push_back(dot(arm, arm));
+  }
+  const double square_at_wall = mean(squares);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Vec2 at{points.x[k], points.y[k]};
-    if (p.wall->shape().nearest(at).distance < 0) psi[k] = -rate / 2 * (dot(at, at) - at_wall);
+    const Vec2 at{points.x[k], points.y[k]}, arm = at - ring.centre;
+    const body::WallPoint w = p.wall->shape().nearest(at);
+    if (w.distance < 0 && p.wall->ring_at(w.arc) == body)
+      psi[k] = at_wall - rate / 2 * (dot(arm, arm) - square_at_wall);
   }
 }
 
@@ -59,10 +66,12 @@ std::vector<double> stream_function_at(tree::Points points, const Blobs& blobs, 
   const WithMiddles both(points, p.wall->middles());
   std::vector<double> psi = of_stream_and_blobs({both.x, both.y}, all, p);
   p.wall->add_stream_function(all.sheet, of_stream_function(p.sums), {both.x, both.y}, psi);
-  const double at_wall = mean(std::span(psi).subspan(points.size()));
+  const std::vector<double> at_walls(psi.begin() + points.size(), psi.end());
   psi.resize(points.size());
-  for (double& value : psi) value -= at_wall;
-  go_on_within(p, points, psi);
+  const double first = mean(p.wall->rings()[0].of(at_walls));
+  for (double& value : psi) value -= first;
+  for (std::size_t k = 0; k < p.wall->rings().size(); ++k)
+    go_on_within(p, k, mean(p.wall->rings()[k].of(at_walls)) - first, points, psi);
   return psi;
 }
 

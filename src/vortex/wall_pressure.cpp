@@ -11,21 +11,26 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// The sheet of the flow that circles the body: its speed on the wall.
-std::vector<double> circling(const Wall& wall) {
-  return wall.sheet(std::vector<double>(wall.panels()), two_pi);
+/// The sheet of the flow that circles a body, and no other: its speed on the wall.
+std::vector<double> circling(const Wall& wall, std::size_t body) {
+  std::vector<double> totals(wall.rings().size());
+  totals[body] = two_pi;
+  return wall.sheet(std::vector<double>(wall.panels()), totals);
 }
 
-/// 1/(2 pi) oint w f ds.
+/// 1/(2 pi) oint w f ds around all bodies.
 double mean(const Wall& wall, std::span<const double> w, const auto& of_panel) {
   double sum = 0;
-  for (std::size_t i = 0; i < wall.panels(); ++i) sum += w[i] * of_panel(i);
-  return wall.panel_length() / two_pi * sum;
+  for (const Ring& ring : wall.rings()) {
+    double around = 0;
+    for (std::size_t i = ring.first; i < ring.end(); ++i) around += w[i] * of_panel(i);
+    sum += ring.length / two_pi * around;
+  }
+  return sum;
 }
 
 /// int omega u.V dA.
-double weighted_vorticity(const Blobs& blobs, const Problem& p, std::span<const double> w) {
-  const MovingBlobs all = moving(blobs, p);
+double weighted_vorticity(const MovingBlobs& all, const Problem& p, std::span<const double> w) {
   Velocities circle(all.blobs.size());
   p.wall->add_velocity(w, p.sums, {all.at.x, all.at.y}, circle, all.at.wall);
   return ordered_sum(all.blobs.size(), [&](std::size_t first, std::size_t last) {
@@ -36,46 +41,60 @@ double weighted_vorticity(const Blobs& blobs, const Problem& p, std::span<const 
   });
 }
 
-double level(const Blobs& blobs, const Problem& p, std::span<const double> w) {
-  const Vec2 stream = p.flow.stream_at(p.time);
-  const double rate = p.turning ? p.flow.motion.at(p.time).rate : 0;
-  const double of_wall = mean(*p.wall, w, [&](std::size_t i) {
-    return rate * rate / 2 * dot(p.wall->middle(i), p.wall->middle(i));
-  });
-  return dot(stream, stream) / 2 - of_wall - weighted_vorticity(blobs, p, w) / two_pi;
+/// |u|^2/2 of the wall at each panel.
+std::vector<double> energy_of_wall(const Problem& p) {
+  std::vector<double> energy(p.wall->panels());
+  for (std::size_t k = 0; k < p.turning.size(); ++k) {
+    const Ring& ring = p.wall->rings()[k];
+    const double rate = p.flow.rate(k, p.time);
+    for (std::size_t i = ring.first; i < ring.end(); ++i) {
+      const Vec2 arm = p.wall->middle(i) - ring.centre;
+      energy[i] = rate * rate / 2 * dot(arm, arm);
+    }
+  }
+  return energy;
 }
 
-/// The integral of a slope along the wall, from anywhere on; what would not close is spread evenly.
-std::vector<double> integrated(const Wall& wall, std::span<const double> slope) {
-  const double b = wall.panel_length();
+double level(const MovingBlobs& all, const Problem& p, std::span<const double> w) {
+  const Vec2 stream = p.flow.stream_at(p.time);
+  const std::vector<double> energy = energy_of_wall(p);
+  const double of_wall = mean(*p.wall, w, [&](std::size_t i) { return energy[i]; });
+  return dot(stream, stream) / 2 - of_wall - weighted_vorticity(all, p, w) / two_pi;
+}
+
+/// The integral of a slope around a body, from anywhere on; what would not close is spread evenly.
+void integrate(std::span<const double> slope, double b, std::span<double> p) {
   const double open =
       std::accumulate(slope.begin(), slope.end(), 0.0) / static_cast<double>(slope.size());
-  std::vector<double> p;
   double edge = 0;
-  for (const double rise : slope) {
-    p.push_back(edge + b / 2 * (rise - open));
-    edge += b * (rise - open);
+  for (std::size_t i = 0; i < slope.size(); ++i) {
+    p[i] = edge + b / 2 * (slope[i] - open);
+    edge += b * (slope[i] - open);
   }
-  return p;
 }
 
 }  // namespace
 
 double pressure_level(const Blobs& blobs, const Problem& problem) {
-  return level(blobs, problem, circling(*problem.wall));
+  return level(moving(blobs, problem), problem, circling(*problem.wall, 0));
 }
 
 std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
                                   std::span<const double> slope) {
   const Wall& wall = *problem.wall;
-  std::vector<double> p = integrated(wall, slope);
+  std::vector<double> p(wall.panels());
+  for (const Ring& ring : wall.rings()) integrate(ring.of(slope), ring.length, ring.of(p));
   const body::Kinematics between = problem.flow.motion.at(problem.time - problem.dt / 2);
   const Vec2 driven = Turn(-between.angle)(between.acceleration);
   for (std::size_t i = 0; i < p.size(); ++i) p[i] -= dot(driven, wall.middle(i));
-  const std::vector<double> w = circling(wall);
-  const double raise =
-      level(blobs, problem, w) - mean(wall, w, [&](std::size_t i) { return p[i]; });
-  for (double& one : p) one += raise;
+  const MovingBlobs all = moving(blobs, problem);
+  std::vector<double> raises;
+  for (std::size_t k = 0; k < wall.rings().size(); ++k) {
+    const std::vector<double> w = circling(wall, k);
+    raises.push_back(level(all, problem, w) - mean(wall, w, [&](std::size_t i) { return p[i]; }));
+  }
+  for (std::size_t k = 0; k < raises.size(); ++k)
+    for (double& one : wall.rings()[k].of(p)) one += raises[k];
   return p;
 }
 

@@ -24,16 +24,20 @@ namespace vortree::vortex {
 ///
 /// and on the wall u = Omega e x x. (Of a circle w = 1/R: the mean of the pressure.)
 ///
+/// Of several bodies each has a Phi of its own, which is constant on every one of them, and whose
+/// flow V circles it alone: Phi then weights sums of dh/dn - (u x omega).n around bodies, which are
+/// minus the rate of change of what flows through their walls, 0.
+///
 /// slope  dp/ds along each panel, its mean over the last step (Wake::pressure_slope); the level is
 ///        that at the step's end
 /// error  of the level: O(core^2), for u.V is taken at the middle of cores; 0.0036 U^2 where those
 ///        that are released are a seventh of a layer sqrt(4 nu t), 0.0010 where they are a
 ///        fourteenth (tests/vortex/wall_pressure.cpp); of the slope that of a step: O(dt)
-/// cost   that of one velocity of all blobs
+/// cost   that of one velocity of all blobs, and one of the sheet for each body
 std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
                                   std::span<const double> slope);
 
-/// 1/(2 pi) oint w p ds of that pressure.
+/// 1/(2 pi) oint w p ds of that pressure, of the first body.
 double pressure_level(const Blobs& blobs, const Problem& problem);
 
 }  // namespace vortree::vortex

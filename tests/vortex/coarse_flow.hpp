@@ -24,7 +24,7 @@ inline vortex::Setup coarse_flow(std::unique_ptr<body::Shape> shape, const body:
                                  .sums = {.tolerance = 1e-5, .cores = fmm::Cores::mean}},
                      .scales = {.body = true, .impulsive = true}};
   made.wall = std::make_unique<vortex::Wall>(std::move(shape), panels);
-  if (motion.turns()) made.turning = std::make_unique<vortex::Turning>(*made.wall);
+  if (motion.turns()) made.turning = {vortex::Turning(*made.wall)};
   return made;
 }
 

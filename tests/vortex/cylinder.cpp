@@ -34,7 +34,8 @@ struct Run {
   }
   /// Force during step k by what acts on the wall; the friction is known at the step's ends.
   Vec2 by_wall(int k) const {
-    return wakes[k].pressure + 0.5 * (wakes[k - 1].friction + wakes[k].friction);
+    return wakes[k].pressure[0].force +
+           0.5 * (wakes[k - 1].friction[0].force + wakes[k].friction[0].force);
   }
   /// What round-off leaves of a vanishing force, by either route: moments, or sheets, over dt.
   double force_rounding(int k) const { return (rounding[k - 1] + rounding[k]) / dt; }
@@ -331,8 +332,9 @@ Drags drag_of_growing_cores() {
   const auto at = [&](int k) -> const vortex::Wake& { return run.wakes[k]; };
   Drags drags{-2 * (at(to).moment.y - at(from).moment.y) / ((to - from) * problem.dt), 0};
   for (int k = from + 1; k <= to; ++k)
-    drags.wall +=
-        (at(k).pressure.x + (at(k - 1).friction.x + at(k).friction.x) / 2) * 2 / (to - from);
+    drags.wall += (at(k).pressure[0].force.x +
+                   (at(k - 1).friction[0].force.x + at(k).friction[0].force.x) / 2) *
+                  2 / (to - from);
   return drags;
 }
 

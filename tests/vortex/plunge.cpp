@@ -34,7 +34,8 @@ Forces forces(vortex::Problem problem, int steps) {
     const Vec2 rate = (1 / problem.dt) * (wakes[k].moment - wakes[k - 1].moment);
     made.time.push_back((k - 0.5) * problem.dt);
     made.by_impulse.push_back({-rate.y, rate.x});
-    made.by_wall.push_back(wakes[k].pressure + 0.5 * (wakes[k - 1].friction + wakes[k].friction));
+    made.by_wall.push_back(wakes[k].pressure[0].force +
+                           0.5 * (wakes[k - 1].friction[0].force + wakes[k].friction[0].force));
   }
   return made;
 }

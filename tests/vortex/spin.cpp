@@ -51,7 +51,7 @@ vortex::Setup spinning(double rate, Vec2 centre = {}) {
                      .scales = {.body = true, .impulsive = true},
                      .origin = {centre}};
   made.wall = std::make_unique<vortex::Wall>(body::circle({}, 0.5), 128);
-  made.turning = std::make_unique<vortex::Turning>(*made.wall);
+  made.turning = {vortex::Turning(*made.wall)};
   return made;
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("the first sheet of a circle that spins is its wall's speed, all aroun
   vortex::Setup setup = spinning(2);
   vortex::Blobs blobs;
   setup.problem.wall = setup.wall.get();
-  setup.problem.turning = setup.turning.get();
+  setup.problem.turning = setup.turning;
   const vortex::Wake wake = vortex::start(blobs, setup.problem);
   for (const double gamma : wake.sheet) CHECK(gamma == Approx(-1).epsilon(1e-12));
   double sum = 0;

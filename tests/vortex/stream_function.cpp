@@ -55,7 +55,7 @@ Problem past(const Wall& wall, Vec2 stream) {
 /// The largest error of the stream past the circle, u = 1 far away, so many panels from the wall.
 double error_of_stream(int panels, double lengths) {
   const Wall wall(body::circle({}, radius), panels);
-  const Places at = ring(lengths * wall.panel_length());
+  const Places at = ring(lengths * wall.panel_length(0));
   const std::vector<double> psi = stream_function_at(at.points(), {}, past(wall, {1, 0}));
   double largest = 0;
   for (std::size_t k = 0; k < at.size(); ++k) {
@@ -91,7 +91,7 @@ struct TurningEllipse {
         turning(wall),
         problem(past(wall, {0.8, 0.3})) {
     problem.flow.motion = {.spin = {1.7}};
-    problem.turning = &turning;
+    problem.turning = {&turning, 1};
   }
 };
 
@@ -111,7 +111,7 @@ TEST_CASE("the near field of a sheet goes over into that of vortices with a step
   const auto exact = [](Vec2 at) { return at.y * (1 - radius * radius / dot(at, at)); };
   const auto step = [&](int panels) {
     const Wall wall(body::circle({}, radius), panels);
-    const double b = wall.panel_length();
+    const double b = wall.panel_length(0);
     const Places within = ring(2.9999 * b), beyond = ring(3.0001 * b);
     const auto a = stream_function_at(within.points(), {}, past(wall, {1, 0})),
                c = stream_function_at(beyond.points(), {}, past(wall, {1, 0}));
@@ -143,7 +143,7 @@ TEST_CASE("the stream function of a vortex beside a circle in fluid at rest is b
     blobs.append(test::vec2(z0), 1.0, 0.01);
     double largest = 0;
     for (const double lengths : {0.0, 0.3, 5.0, 400.0}) {
-      const Places at = ring(lengths * wall.panel_length());
+      const Places at = ring(lengths * wall.panel_length(0));
       const auto psi = stream_function_at(at.points(), blobs, past(wall, {}));
       for (std::size_t k = 0; k < at.size(); ++k) {
         const test::Complex z = test::complex(at.at(k));

@@ -106,9 +106,9 @@ TEST_CASE("pressure and friction along the wall add up to the force on it") {
     double moment = 0;
     for (std::size_t i = 0; i < 160; ++i) {
       const Vec2 t = wall.tangent(i), n{t.y, -t.x};
-      pressure += (-wall.panel_length() * along.cp[i] / 2) * n;
-      friction += (wall.panel_length() * along.cf[i] / 2) * t;
-      moment += -wall.panel_length() * along.cp[i] / 2 * dot(left_of(wall.middle(i)), n);
+      pressure += (-wall.panel_length(0) * along.cp[i] / 2) * n;
+      friction += (wall.panel_length(0) * along.cf[i] / 2) * t;
+      moment += -wall.panel_length(0) * along.cp[i] / 2 * dot(left_of(wall.middle(i)), n);
     }
     const flow::Force force = *solver.force();
     const Vec2 frame = wall.area() * motion.at(solver.time() - 0.01).acceleration;
@@ -136,7 +136,7 @@ TEST_CASE("their integrals are the drag at the wall that the report tells") {
   double drag = 0;
   for (std::size_t i = 0; i < 160; ++i) {
     const Vec2 t = wall.tangent(i);
-    drag += wall.panel_length() * (-along.cp[i] * t.y + along.cf[i] * t.x);
+    drag += wall.panel_length(0) * (-along.cp[i] * t.y + along.cf[i] * t.x);
   }
   CHECK(drag == Approx(flow::measured(history.of_last(), "cd_wall")).epsilon(0.005));
 }

@@ -102,8 +102,8 @@ void RunFiles::require_outputs() const {
        {scene_.check.drag_reference, scene_.check.lift_reference,
         scene_.check.wall_vorticity_reference, scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
-  if (scene_.body && scene_.body->file)
-    inputs.push_back(io::reference_path(scene_, *scene_.body->file));
+  for (const body::BodySettings& body : flow::every_body(scene_))
+    if (body.file) inputs.push_back(io::reference_path(scene_, *body.file));
   if (scene_.motion && scene_.motion->file)
     inputs.push_back(io::reference_path(scene_, *scene_.motion->file));
   std::vector<std::string> names = tables_.names();
@@ -130,7 +130,7 @@ void RunFiles::begin() {
 }
 
 void RunFiles::outline() const {
-  if (scene_.body) io::write_outline(folder_ / "outline.csv", *scene_.body);
+  if (scene_.body) io::write_outlines(folder_ / "outline.csv", flow::every_body(scene_));
 }
 
 io::Frame RunFiles::last_frame() const {

@@ -1,6 +1,7 @@
 #include "app/loop/rows.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace vortree::app {
@@ -12,10 +13,17 @@ std::string saved_name(const std::string& column) {
   return "row " + column;
 }
 
+std::string of_number(std::size_t body) {
+  return " of body " + std::to_string(body + 1);
+}
+
 }  // namespace
 
 Rows::Rows(const flow::Solver& solver, const flow::Scales& scales)
-    : solver_(solver), scales_(scales), forces_(scales) {}
+    : solver_(solver),
+      scales_(scales),
+      forces_(scales),
+      on_each_(solver.forces_on_each().size(), flow::ForceHistory(scales)) {}
 
 std::vector<std::string> Rows::phases() const {
   std::vector<std::string> list = solver_.phases();
@@ -38,7 +46,21 @@ std::vector<std::string> Rows::names() const {
 }
 
 flow::Measures Rows::no_force() const {
-  return flow::ForceHistory::none(solver_.force().has_value());
+  const flow::Measures one = flow::ForceHistory::none(solver_.force().has_value());
+  flow::Measures all = one;
+  for (std::size_t k = 0; k < on_each_.size(); ++k)
+    std::ranges::move(flow::ForceHistory::of_body(one, k + 1), std::back_inserter(all));
+  return all;
+}
+
+/// The coefficients of all forces, at the last or the last but one.
+flow::Measures Rows::told(flow::Measures (flow::ForceHistory::*of)() const) const {
+  if (forces_.size() == 0) return no_force();
+  flow::Measures all = (forces_.*of)();
+  for (std::size_t k = 0; k < on_each_.size(); ++k)
+    std::ranges::move(flow::ForceHistory::of_body((on_each_[k].*of)(), k + 1),
+                      std::back_inserter(all));
+  return all;
 }
 
 Rows::Row Rows::now(std::vector<double> seconds) const {
@@ -58,12 +80,14 @@ void Rows::add(const std::vector<double>& seconds, const Write& write) {
   known_ = std::min(known_ + 1, 3);
   const auto force = solver_.force();
   if (force) forces_.add(*force);
-  if (known_ == 3) write(whole(before, force ? forces_.of_last_but_one() : no_force()));
+  const std::vector<flow::Force> each = solver_.forces_on_each();
+  for (std::size_t k = 0; k < each.size(); ++k) on_each_[k].add(each[k]);
+  if (known_ == 3) write(whole(before, told(&flow::ForceHistory::of_last_but_one)));
 }
 
 void Rows::finish(const Write& write) const {
   if (known_ < 2) return;
-  write(whole(waiting_, forces_.size() ? forces_.of_last() : no_force()));
+  write(whole(waiting_, told(&flow::ForceHistory::of_last)));
 }
 
 void Rows::save(flow::State& state) const {
@@ -72,6 +96,7 @@ void Rows::save(flow::State& state) const {
   for (std::size_t k = 0; k < names.size(); ++k)
     state[saved_name(names[k])] = {waiting_.seconds[k]};
   forces_.save(state);
+  for (std::size_t k = 0; k < on_each_.size(); ++k) on_each_[k].save(state, of_number(k));
 }
 
 void Rows::restore(const flow::State& state) {
@@ -81,6 +106,7 @@ void Rows::restore(const flow::State& state) {
     seconds.push_back(flow::saved_number(state, saved_name(name)));
   waiting_ = now(std::move(seconds));
   forces_.restore(state);
+  for (std::size_t k = 0; k < on_each_.size(); ++k) on_each_[k].restore(state, of_number(k));
 }
 
 }  // namespace vortree::app

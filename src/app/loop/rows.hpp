@@ -9,7 +9,7 @@
 namespace vortree::app {
 
 /// The rows of report.csv: t, T = U t/R, what the method measures, the coefficients of the body's
-/// force (without one 0, and fewer), seconds since the start and by phase of the step. A row waits
+/// force (without one 0, and fewer), or of all bodies' and then of each, seconds since the start and by phase of the step. A row waits
 /// for the step after it, since a force is a rate of change; that of the start, which has no force,
 /// is left out.
 ///
@@ -47,12 +47,14 @@ class Rows {
 
   std::vector<std::string> seconds_names() const;
   flow::Measures no_force() const;
+  flow::Measures told(flow::Measures (flow::ForceHistory::*of)() const) const;
   Row now(std::vector<double> seconds) const;
   std::vector<double> whole(const Row& row, const flow::Measures& coefficients) const;
 
   const flow::Solver& solver_;
   flow::Scales scales_;
   flow::ForceHistory forces_;
+  std::vector<flow::ForceHistory> on_each_;  // of several bodies
   Row waiting_;
   int known_ = 0;  // rows so far, three at most
 };

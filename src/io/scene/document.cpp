@@ -13,6 +13,8 @@
 namespace vortree::io {
 namespace {
 
+constexpr int most_dots = 4;
+
 /// An override as errors show it.
 std::string typed(std::string_view override) {
   return "command line: " + shortened(override, 80);
@@ -103,6 +105,9 @@ void Document::lay_over(const std::string& override) {
   if (equals == std::string::npos || key.empty()) {
     throw InputError(typed(override) + ": an override is written table.key=value");
   }
+  if (std::ranges::count(key, '.') > most_dots)
+    throw InputError(
+        fmt::format("{}: no key of a scene has more than {} dots", typed(override), most_dots));
   const toml::table parsed = parse_value(override, std::string_view(override).substr(equals + 1));
   lay_over(key, *parsed.get("value"), override);
 }
@@ -110,8 +115,7 @@ void Document::lay_over(const std::string& override) {
 void Document::lay_over(const std::string& key, const toml::node& value,
                         const std::string& override) {
   overrides_[key] = override;
-  const std::size_t dot = key.find('.');
-  if (dot != std::string::npos) return set(key.substr(0, dot), key.substr(dot + 1), value);
+  if (key.find('.') != std::string::npos) return set(root_, "", key, value);
   if (!value.is_table()) {
     root_.insert_or_assign(key, value);
     return;
@@ -121,37 +125,80 @@ void Document::lay_over(const std::string& key, const toml::node& value,
     lay_over(fmt::format("{}.{}", key, name.str()), inside, override);
 }
 
-void Document::set(const std::string& table, std::string_view key, const toml::node& value) {
-  toml::node& parent = root_.insert(table, toml::table{}).first->second;
-  if (!parent.is_table()) {
-    refuse(table, fmt::format("{} is {}; a table was expected", table, kind_of(parent)));
-  }
-  parent.as_table()->insert_or_assign(key, value);
+/// Into the table of the name that the key begins with, or what of it is named further on.
+void Document::set(toml::table& in, const std::string& within, std::string_view key,
+                   const toml::node& value) {
+  const std::size_t dot = key.find('.');
+  if (dot == std::string_view::npos) return void(in.insert_or_assign(key, value));
+  const std::string_view step = key.substr(0, dot);
+  const std::size_t bracket = std::min(step.find('['), step.size());
+  const std::string_view bare = step.substr(0, bracket), number = step.substr(bracket);
+  const std::string name = within + std::string(bare);
+  toml::node& found = in.insert(bare, toml::table{}).first->second;
+  if (found.is_array()) return set_in_list(found, name, number, key.substr(dot + 1), value);
+  if (!found.is_table() || !number.empty())
+    refuse(name, fmt::format("{} is {}; a {}table was expected", name, kind_of(found),
+                             number.empty() ? "" : "list with such a "));
+  set(*found.as_table(), name + ".", key.substr(dot + 1), value);
 }
 
+/// Into each table of a list, or the one of this number, "[1]".
+void Document::set_in_list(toml::node& list, const std::string& name, std::string_view number,
+                           std::string_view key, const toml::node& value) {
+  toml::array& all = *list.as_array();
+  bool met = false;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!all[k].is_table())
+      refuse(name, fmt::format("{} is {}; a table was expected", name, kind_of(list)));
+    const std::string own = fmt::format("[{}]", k);
+    if (!number.empty() && number != own) continue;
+    met = true;
+    set(*all[k].as_table(), name + own + ".", key, value);
+  }
+  if (!met)
+    refuse(name, fmt::format("{}{} is none of the {} that there are, which count from 0", name,
+                             number, all.size()));
+}
+
+namespace {
+
+/// What a key is in: flow.stream of flow.stream[1], body[1] of body[1].radius; "" of flow.
+std::string_view outside(std::string_view key) {
+  const std::size_t end = key.find_last_of(".[");
+  return key.substr(0, end == std::string_view::npos ? 0 : end);
+}
+
+/// As one that names all tables of a list would have it: body.radius of body[1].radius.
+std::string without_numbers(std::string_view key) {
+  std::string all;
+  bool within = false;
+  for (const char c : key) {
+    within = c == '[' || (within && c != ']');
+    if (!within && c != ']') all += c;
+  }
+  return all;
+}
+
+}  // namespace
+
 std::string Document::place(std::string_view key) const {
-  if (const auto found = overrides_.find(key); found != overrides_.end()) {
-    return typed(found->second);
-  }
-  const std::size_t dot = key.find('.');
-  const toml::node* node = root_.get(key);
-  if (!node && dot != std::string_view::npos) {
-    const toml::node* table = root_.get(key.substr(0, dot));
-    if (table && table->is_table()) node = table->as_table()->get(key.substr(dot + 1));
-  }
-  if (node && node->source().begin.line > 0) {
-    return fmt::format("{}:{}", path_.string(), node->source().begin.line);
-  }
+  if (key.empty()) return path_.string();
+  for (const std::string& name : {std::string(key), without_numbers(key)})
+    if (const auto found = overrides_.find(name); found != overrides_.end())
+      return typed(found->second);
+  const auto node = root_.at_path(key);
+  if (node && node.node()->source().begin.line > 0)
+    return fmt::format("{}:{}", path_.string(), node.node()->source().begin.line);
   // A table that only the command line knows: the first override inside it.
   const auto inside = overrides_.lower_bound(fmt::format("{}.", key));
   if (inside != overrides_.end() && inside->first.starts_with(fmt::format("{}.", key))) {
     return typed(inside->second);
   }
-  return dot == std::string_view::npos ? path_.string() : place(key.substr(0, dot));
+  return place(outside(key));
 }
 
 void Document::refuse(std::string_view key, std::string_view words) const {
-  throw InputError(fmt::format("{}: {}", place(key.substr(0, key.find('['))), words));
+  throw InputError(fmt::format("{}: {}", place(key), words));
 }
 
 }  // namespace vortree::io

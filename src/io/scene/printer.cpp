@@ -66,6 +66,7 @@ Text text_of(const OneOf& choice) {
 }
 
 Text text_of(const ListOfTables& list);
+Text text_of(const InnerTable& table);
 
 /// Nobody has written or chosen it, since what the scene asks for does without.
 bool open(const Key& key) {
@@ -78,16 +79,22 @@ Text text_of(const Key& key) {
   return std::visit([](const auto& target) { return text_of(target); }, key.target);
 }
 
-/// [{key = value, ...}, ...]
+/// {key = value, ...}
+std::string inline_table(const std::vector<Key>& keys) {
+  std::vector<std::string> words;
+  for (const Key& key : keys)
+    if (const Text text = text_of(key)) words.push_back(fmt::format("{} = {}", key.name, *text));
+  return fmt::format("{{{}}}", fmt::join(words, ", "));
+}
+
 Text text_of(const ListOfTables& list) {
   std::vector<std::string> tables;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    std::vector<std::string> words;
-    for (const Key& key : list.keys(i))
-      if (const Text text = text_of(key)) words.push_back(fmt::format("{} = {}", key.name, *text));
-    tables.push_back(fmt::format("{{{}}}", fmt::join(words, ", ")));
-  }
+  for (std::size_t i = 0; i < list.size(); ++i) tables.push_back(inline_table(list.keys(i)));
   return fmt::format("[{}]", fmt::join(tables, ", "));
+}
+
+Text text_of(const InnerTable& table) {
+  return table.present() ? Text(inline_table(table.keys())) : std::nullopt;
 }
 
 /// `key = value` lines; unset optionals leave no trace.
@@ -133,6 +140,8 @@ std::string limits(const Key& key) {
 std::string row(std::string_view name, const Key& key) {
   std::string rows = fmt::format("| `{}` | {} | {} | {} | {} |\n", name, usual(key), key.unit,
                                  limits(key), key.says);
+  if (const auto* table = std::get_if<InnerTable>(&key.target))
+    for (const Key& own : table->keys()) rows += row(fmt::format("{}.{}", name, own.name), own);
   const auto* list = std::get_if<ListOfTables>(&key.target);
   if (!list) return rows;
   list->resize(1);
@@ -141,13 +150,23 @@ std::string row(std::string_view name, const Key& key) {
   return rows;
 }
 
+/// [table], or each of its [[table]].
+std::string printed(const SceneTable& table) {
+  const std::size_t others = table.others ? table.others->size() : 0;
+  const std::string head =
+      others ? fmt::format("\n[[{}]]\n", table.name) : fmt::format("\n[{}]\n", table.name);
+  std::string text = head + lines(table.keys());
+  for (std::size_t k = 0; k < others; ++k) text += head + lines(table.others->keys(k));
+  return text;
+}
+
 }  // namespace
 
 std::string resolved(const Scene& scene) {
   Scene copy = scene;  // keys are places to write to, too
   std::string text = lines(keys(copy));
   for (const SceneTable& table : tables_that_count(copy))
-    if (table.present()) text += fmt::format("\n[{}]\n{}", table.name, lines(table.keys()));
+    if (table.present()) text += printed(table);
   return text;
 }
 
@@ -170,11 +189,16 @@ ValuesByName values(Scene scene) {
     const bool own = number++ >= of_flow;
     if (!table.present()) continue;
     all.decided.emplace_back(fmt::format("[{}]", table.name), "there");
-    for (const Key& key : table.keys()) {
+    const auto add = [&](const std::string& number, const Key& key) {
       const std::string name = fmt::format("{}.{}", table.name, key.name);
       const bool apart = own || std::ranges::find(follows, name) != follows.end();
-      (apart ? all.following : all.decided).emplace_back(name, text_of(key).value_or(""));
-    }
+      (apart ? all.following : all.decided)
+          .emplace_back(fmt::format("{}{}.{}", table.name, number, key.name),
+                        text_of(key).value_or(""));
+    };
+    for (const Key& key : table.keys()) add("", key);
+    for (std::size_t k = 0; table.others && k < table.others->size(); ++k)
+      for (const Key& key : table.others->keys(k)) add(fmt::format("[{}]", k + 1), key);
   }
   return all;
 }

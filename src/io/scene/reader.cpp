@@ -148,6 +148,11 @@ void read(const Value& value, const ListOfTables& target, const Rule&) {
   }
 }
 
+void read(const Value& value, const InnerTable& target, const Rule&) {
+  if (!value.node.is_table()) value.expected("a table");
+  read_table(value.document, value.name, *value.node.as_table(), target.keys());
+}
+
 void read(const Value& value, const Key& key) {
   std::visit([&](const auto& target) { read(value, target, key.rule); }, key.target);
 }
@@ -214,10 +219,23 @@ void read_table(const Document& document, std::string_view name, const toml::tab
                                   table.name, table.name, listed(names_of(wanted))));
 }
 
+/// The first into its own place, those after it into theirs.
+void read_list(const Document& document, const SceneTable& table, const toml::array& all) {
+  if (!all.is_homogeneous(toml::node_type::table))
+    document.refuse(table.name,
+                    fmt::format("{} is an array; tables were expected in it", table.name));
+  table.others->resize(all.size() - 1);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    read_table(document, fmt::format("{}[{}]", table.name, k), *all[k].as_table(),
+               k == 0 ? table.keys() : table.others->keys(k - 1));
+}
+
 void read_table(const Document& document, const SceneTable& table) {
   const toml::node* node = document.root().get(table.name);
   if (!node && table.required) refuse_missing(document, table);
   if (!node) return;
+  if (table.others && node->is_array() && !node->as_array()->empty())
+    return read_list(document, table, *node->as_array());
   if (!node->is_table()) {
     document.refuse(table.name,
                     fmt::format("{} is {}; a table was expected", table.name, kind_of(*node)));

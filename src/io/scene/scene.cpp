@@ -47,22 +47,35 @@ auto& method_of(auto& scene) {
 }
 
 /// The points of a body's outline, from the file that it names.
-void read_points(const Document& document, Scene& scene) {
-  if (!scene.body || !scene.body->file || scene.body->points) return;
-  const std::filesystem::path file = scene.origin.path.parent_path() / *scene.body->file;
+void read_points(const Document& document, const Scene& scene, body::BodySettings& body,
+                 std::string_view key) {
+  if (!body.file || body.points) return;
+  const std::filesystem::path file = scene.origin.path.parent_path() / *body.file;
   try {
     require_reference_file(file);
   } catch (const InputError& error) {
-    document.refuse("body.file", fmt::format("body.file: {}", error.what()));
+    document.refuse(key, fmt::format("{}: {}", key, error.what()));
   }
-  scene.body->points = read_coordinates(file);
+  body.points = read_coordinates(file);
+}
+
+void read_points(const Document& document, Scene& scene) {
+  if (scene.body) read_points(document, scene, *scene.body, flow::key_of_body(scene, 0, "file"));
+  for (std::size_t k = 0; k < scene.others.size(); ++k)
+    read_points(document, scene, scene.others[k], flow::key_of_body(scene, k + 1, "file"));
+}
+
+/// Whether a table, the first of a list, or one of it by its number, has a key.
+bool says(const Document& document, std::string_view table, std::string_view key) {
+  auto found = document.root().at_path(table);
+  if (found.is_array()) found = found[0];
+  return found.is_table() && found.as_table()->contains(key);
 }
 
 /// What a scene leaves out, by its own laws and by those of its method, and what it cannot mean.
 void complete(const Document& document, Scene& scene) {
   const flow::Written written = [&](std::string_view table, std::string_view key) {
-    const toml::node* node = document.root().get(table);
-    return node && node->is_table() && node->as_table()->contains(key);
+    return says(document, table, key);
   };
   flow::AnyMethod& own = method_of(scene);
   flow::refuse_senseless(scene);

@@ -47,6 +47,12 @@ void hold_sizes(const Document& document, std::string_view name, const Key& key)
       for (const Key& own : list->keys(i)) hold_sizes(document, name, own);
     return;
   }
+  if (const auto* table = std::get_if<InnerTable>(&key.target)) {
+    if (!table->present()) return;
+    for (const Key& own : table->keys())
+      hold_sizes(document, fmt::format("{}.{}", name, own.name), own);
+    return;
+  }
   const auto real = std::visit([](const auto& target) { return numbers(target); }, key.target);
   for (const double value : real) hold_size(document, name, value);
 }
@@ -61,6 +67,9 @@ void refuse_sizes(const Document& document, const Scene& given) {
     if (!table.present()) continue;
     for (const Key& key : table.keys())
       hold_sizes(document, fmt::format("{}.{}", table.name, key.name), key);
+    for (std::size_t k = 0; table.others && k < table.others->size(); ++k)
+      for (const Key& key : table.others->keys(k))
+        hold_sizes(document, fmt::format("{}[{}].{}", table.name, k + 1, key.name), key);
   }
 }
 

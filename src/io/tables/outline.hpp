@@ -1,16 +1,18 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "body/settings.hpp"
 
 namespace vortree::io {
 
-/// The outline of a body as a table of x and y as seen from its centre, in the scene's unit of
-/// length: 513 points, the last one the first again, closer where the outline bends. A note above
-/// them says the length D that coefficients go by: "# D = 1".
+/// The outlines of bodies as a table of x and y as seen from the centre of the first, in the scene's
+/// unit of length: 513 points of each, the last one the first again, closer where the outline bends;
+/// of several, the number of the body from 1 on. A note above them says the length D that
+/// coefficients go by, that of the first: "# D = 1".
 ///
 /// throws  std::runtime_error if it cannot be written
-void write_outline(const std::filesystem::path&, const body::BodySettings&);
+void write_outlines(const std::filesystem::path&, const std::vector<body::BodySettings>& bodies);
 
 }  // namespace vortree::io

@@ -45,6 +45,10 @@ void refuse_outside(const SphCase& scene) {
                               "fills the plane, as \"taylor_green\"{}",
                               scene.body ? ", and no [body]" : ""));
   if (!fills && !scene.body) throw Refused("method", "method is \"sph\", which needs a [body]");
+  if (!scene.others.empty())
+    throw Refused("method", fmt::format("method is \"sph\", which computes around a single body; "
+                                        "the scene has {}",
+                                        1 + scene.others.size()));
 }
 
 /// Vortices begin where fluid is, and is computed.

@@ -20,6 +20,14 @@ struct Choice {
   int panels;
 };
 
+/// Panels no longer than what they release is wide, and fine enough for the body's tips.
+int panels_for(const body::BodySettings& body, double sigma_0) {
+  const double perimeter = body::perimeter_of(body);
+  const double around = std::max(perimeter, std::numbers::pi * body::length_of(body));
+  const double tips = perimeter / (panel_at_tip * body::tip_of(body).radius);
+  return static_cast<int>(std::clamp(std::max(around / (2.4 * sigma_0), tips), 128.0, 4000.0));
+}
+
 Choice past_body(const VortexCase& scene, double e) {
   const double speed = flow::fastest_of(scene);
   const double length = body::length_of(*scene.body), nu = scene.flow.nu;
@@ -27,7 +35,7 @@ Choice past_body(const VortexCase& scene, double e) {
   Choice c{};
   const double period = flow::period_of(scene);
   // Around tips strain draws cores out: with longer steps they would multiply there.
-  const bool blunt = body::tip_of(*scene.body).radius > 0.1 * length;
+  const bool blunt = sharpest_tip(scene) > 0.1 * length;
   const double longest = 2 * e * length / speed,
                coarse = std::cbrt(std::min(e, blunt ? 0.05 : 0.01) / 0.01),
                turning = 0.02 * coarse * std::sqrt(550 / reynolds) * length / speed;
@@ -47,11 +55,7 @@ Choice past_body(const VortexCase& scene, double e) {
   c.reach = 3;
   c.cap = 1.2;
   c.velocity = std::clamp(e / 1000, 1e-12, 1e-3);
-  const double perimeter = body::perimeter_of(*scene.body);
-  const double around = std::max(perimeter, std::numbers::pi * length);
-  const double tips = perimeter / (panel_at_tip * body::tip_of(*scene.body).radius);
-  c.panels =
-      static_cast<int>(std::clamp(std::max(around / (2.4 * c.sigma_0), tips), 128.0, 4000.0));
+  c.panels = panels_for(*scene.body, c.sigma_0);
   return c;
 }
 
@@ -98,6 +102,9 @@ void choose_missing(flow::Case& of, VortexSettings& own, const flow::Written& wr
     fill("velocity", "tolerance", own.velocity.tolerance, c.velocity);
     if (body) {
       fill("body", "panels", of.body->panels, c.panels);
+      for (std::size_t k = 0; k < of.others.size(); ++k)
+        fill(fmt::format("body[{}]", k + 1), "panels", of.others[k].panels,
+             panels_for(of.others[k], c.sigma_0));
       fill("velocity", "cores", own.velocity.cores, PairCores::both);
     }
   }

@@ -46,24 +46,26 @@ double free_blobs(const VortexCase& scene) {
 
 /// Boundary layer and wake, cut off by the box, thinned by coarsening.
 double wake_area(const VortexCase& scene) {
-  const double length = body::length_of(*scene.body),
-               layer = 4 * std::sqrt(scene.flow.nu * scene.time.end);
+  const double layer = 4 * std::sqrt(scene.flow.nu * scene.time.end);
   const double way = flow::fastest_of(scene) * scene.time.end,
                from = scene.cores.coarsen_from.value_or(way);
   const double beyond = way > from ? 2 * from * (1 - std::sqrt(from / way)) : 0;
-  const double around = layer * (body::perimeter_of(*scene.body) + std::numbers::pi * layer);
-  const double area = around + (length + layer) * (std::min(way, from) + beyond);
+  double area = 0;
+  for (const body::BodySettings& one : flow::every_body(scene)) {
+    const double around = layer * (body::perimeter_of(one) + std::numbers::pi * layer);
+    area += around + (body::length_of(one) + layer) * (std::min(way, from) + beyond);
+  }
   if (!scene.merging.box) return area;
   const auto [x0, y0, x1, y1] = *scene.merging.box;
   return std::min(area, (x1 - x0) * (y1 - y0));
 }
 
 double wall_blobs(const VortexCase& scene, double steps) {
-  const double released = scene.body->panels * (steps + 8);
+  const double released = panels_of(scene) * (steps + 8);
   const bool merges = scene.flow.nu > 0 && scene.merging.tolerance > 0;
   if (!merges) return released * multiplied_in(scene, scene.time.end);
   const double most2 = scene.cores.sigma_max * scene.cores.sigma_max;
-  return scene.body->panels + crowding(scene) * 1.5 * wake_area(scene) / most2;
+  return panels_of(scene) + crowding(scene) * 1.5 * wake_area(scene) / most2;
 }
 
 double picture_points(const flow::OutputSettings& output) {
@@ -94,7 +96,7 @@ std::size_t blobs_in(double bytes) {
 
 Cost cost_of(const VortexCase& scene) {
   Cost c{.steps = scene.time.end / scene.time.dt};
-  const double panels = scene.body ? scene.body->panels : 0;
+  const double panels = panels_of(scene);
   const double start = scene.initial ? lattice_blobs(*scene.initial, scene.cores.sigma_0) : 0;
   c.blobs = scene.body ? wall_blobs(scene, c.steps) + start : free_blobs(scene);
   // The matrix is there twice while it is cut into factors.
@@ -118,7 +120,7 @@ flow::Warnings costly(const VortexCase& scene, double memory) {
   if (c.setup > 60)
     list.push_back(fmt::format(
         "body.panels = {}: the wall's matrix takes {} and some {} before the first step",
-        scene.body->panels, size(c.wall_bytes), duration(c.setup)));
+        panels_of(scene), size(c.wall_bytes), duration(c.setup)));
   if (c.seconds > 3600)
     list.push_back(fmt::format("the run will take some {}: {:.2g} steps, up to {:.2g} blobs",
                                duration(c.seconds), c.steps, c.blobs));
@@ -135,7 +137,7 @@ void refuse_beyond(const VortexCase& scene, double memory) {
   };
   if (c.wall_bytes > memory)
     refuse("body.panels", fmt::format("body.panels is {}; the wall's matrix would take {}",
-                                      scene.body->panels, size(c.wall_bytes)));
+                                      panels_of(scene), size(c.wall_bytes)));
   if (const double most = std::min<double>(blobs_in(memory), flow::most_particles);
       scene.initial && lattice_blobs(*scene.initial, scene.cores.sigma_0) > most)
     throw Refused(

@@ -54,8 +54,8 @@ void hold_distance(const VortexCase& scene) {
                               std::hypot(x, y), scene.cores.sigma_0, most));
 }
 
-void hold_cores(const VortexCase& scene) {
-  const double half = body::length_of(*scene.body) / 2;
+void hold_cores(const VortexCase& scene, const body::BodySettings& body) {
+  const double half = body::length_of(body) / 2;
   for (const auto& [key, core] : {std::pair{"cores.sigma_0", scene.cores.sigma_0},
                                   std::pair{"cores.sigma_max", scene.cores.sigma_max}})
     if (core > half)
@@ -91,16 +91,15 @@ void hold_steps(const VortexCase& scene) {
                               dt, turn, dt * good_turn / turn, good_turn));
 }
 
-void hold_tips(const body::BodySettings& body) {
+void hold_tips(const body::BodySettings& body, const std::string& key) {
   const double around = body::perimeter_of(body), panel = around / body.panels,
                tip = body::tip_of(body).radius;
   if (panel <= blind_at_tip * tip) return;
   throw Refused(
-      "body.panels",
-      fmt::format("body.panels is {}; panels of {:.3g} step over the body's tips of radius {:.3g}; "
-                  "at least {:.0f} see them, {:.0f} resolve them",
-                  body.panels, panel, tip, std::ceil(around / (blind_at_tip * tip)),
-                  std::ceil(around / (panel_at_tip * tip))));
+      key, fmt::format("{} is {}; panels of {:.3g} step over the body's tips of radius {:.3g}; "
+                       "at least {:.0f} see them, {:.0f} resolve them",
+                       key, body.panels, panel, tip, std::ceil(around / (blind_at_tip * tip)),
+                       std::ceil(around / (panel_at_tip * tip))));
 }
 
 /// merging.box must hold what lies within `half` of the centre.
@@ -121,12 +120,15 @@ void hold_box(const std::array<double, 4>& box, const Pair& centre, const Pair& 
 void refuse_senseless(const VortexCase& scene) {
   hold_together(scene);
   if (scene.initial && scene.body) hold_distance(scene);
-  if (scene.body) hold_cores(scene);
+  const std::vector<body::BodySettings> bodies = flow::every_body(scene);
+  for (const body::BodySettings& one : bodies) hold_cores(scene, one);
   hold_steps(scene);
-  if (scene.body) hold_tips(*scene.body);
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    hold_tips(bodies[k], flow::key_of_body(scene, k, "panels"));
   if (!scene.merging.box) return;
-  if (scene.body)
-    hold_box(*scene.merging.box, scene.body->centre, body::half_extent(*scene.body), "the body");
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    hold_box(*scene.merging.box, bodies[k].centre, body::half_extent(bodies[k]),
+             bodies.size() == 1 ? "the body" : fmt::format("body[{}]", k));
   if (scene.initial) {
     const auto [x, y] = flow::half_extent(*scene.initial);
     hold_box(*scene.merging.box, scene.initial->centre, {x, y}, "the initial vorticity");

@@ -11,6 +11,19 @@
 
 namespace vortree::vortex {
 
+double sharpest_tip(const VortexCase& scene) {
+  double least = INFINITY;
+  for (const body::BodySettings& one : flow::every_body(scene))
+    least = std::min(least, body::tip_of(one).radius);
+  return least;
+}
+
+double panels_of(const VortexCase& scene) {
+  double sum = 0;
+  for (const body::BodySettings& one : flow::every_body(scene)) sum += one.panels;
+  return sum;
+}
+
 double boundary_layer(const VortexCase& scene) {
   const double speed = flow::fastest_of(scene);
   if (!scene.body || speed == 0) return 0;
@@ -25,7 +38,7 @@ bool makes_children(const VortexCase& scene) {
   if (!spreads_cores(scene)) return false;
   if (scene.splitting.scheme == SplitScheme::ring) return true;
   const double least = lattice_step / sharpest_followed * scene.cores.sigma_max;
-  return scene.body && body::tip_of(*scene.body).radius < least;
+  return sharpest_tip(scene) < least;
 }
 
 double strained_for(const VortexCase& scene) {
@@ -64,9 +77,11 @@ double turn_of_vortex(const VortexCase& scene) {
   return scene.initial ? flow::mean_vorticity(*scene.initial) / 2 * scene.time.dt : 0;
 }
 
-double turn_at_tip(const VortexCase& scene) {
-  if (!scene.body || body::round(*scene.body)) return 0;
-  const body::Tip tip = body::tip_of(*scene.body);
+namespace {
+
+double turn_at_tip(const VortexCase& scene, const body::BodySettings& body) {
+  if (body::round(body)) return 0;
+  const body::Tip tip = body::tip_of(body);
   const double half = std::hypot(tip.place.x, tip.place.y);
   const auto sideways = [&](const Pair& a) {
     return std::abs(a[0] * tip.place.y - a[1] * tip.place.x) / half;
@@ -81,6 +96,15 @@ double turn_at_tip(const VortexCase& scene) {
   if (scene.motion && scene.motion->course.moves()) speed = flow::fastest_of(scene);
   const double rounded = std::max(tip.radius, scene.cores.sigma_0);
   return speed * std::sqrt(half / rounded) / rounded * scene.time.dt;
+}
+
+}  // namespace
+
+double turn_at_tip(const VortexCase& scene) {
+  double most = 0;
+  for (const body::BodySettings& one : flow::every_body(scene))
+    most = std::max(most, turn_at_tip(scene, one));
+  return most;
 }
 
 double width_of_endless_splits(const VortexCase& scene) {

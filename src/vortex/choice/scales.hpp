@@ -9,6 +9,12 @@ namespace vortree::vortex {
 /// and on the foil).
 inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 12;
 
+/// The least radius of a tip among the bodies; infinity without any.
+[[nodiscard]] double sharpest_tip(const VortexCase& scene);
+
+/// Panels of all bodies.
+[[nodiscard]] double panels_of(const VortexCase& scene);
+
 /// sqrt(nu D/U) of the fastest that a body and its stream meet; 0 without viscosity or motion.
 [[nodiscard]] double boundary_layer(const VortexCase& scene);
 

@@ -8,6 +8,7 @@
 
 #include "base/free_memory.hpp"
 #include "body/extent.hpp"
+#include "body/group.hpp"
 #include "flow/initial/widths.hpp"
 #include "vortex/choice/cost.hpp"
 #include "vortex/choice/scales.hpp"
@@ -68,7 +69,7 @@ void doubt_step(Warnings& list, const VortexCase& scene) {
         fmt::format("time.dt = {:.3g}: the flow turns around the body's edge, of radius {:.2g}, by "
                     "{:.2g} rad a "
                     "step: blobs will multiply there; {:.2g} is right",
-                    dt, body::tip_of(*scene.body).radius, tips, 8 * dt / tips));
+                    dt, sharpest_tip(scene), tips, 8 * dt / tips));
   if (const double period = flow::period_of(scene); dt > 0.05 * period)
     list.push_back(fmt::format(
         "time.dt = {:.3g}: a period of the body's motion has {:.2g} steps; {:.2g} gives "
@@ -76,29 +77,50 @@ void doubt_step(Warnings& list, const VortexCase& scene) {
         dt, period / dt, 0.01 * period));
 }
 
-void doubt_panels(Warnings& list, const body::BodySettings& body, double thin) {
+void doubt_panels(Warnings& list, const body::BodySettings& body, const std::string& key,
+                  double thin) {
   const double around = body::perimeter_of(body), panel = around / body.panels;
   if (panel > 6 * thin)
     list.push_back(fmt::format(
-        "body.panels = {}: panels of {:.2g} are {:.2g} released cores long, so that fresh "
+        "{} = {}: panels of {:.2g} are {:.2g} released cores long, so that fresh "
         "vorticity has gaps along the wall: the drag will be noisy, by percents and more; {:.0f} "
         "are "
         "enough",
-        body.panels, panel, panel / thin, std::ceil(around / (2.4 * thin))));
+        key, body.panels, panel, panel / thin, std::ceil(around / (2.4 * thin))));
   const double tip = body::tip_of(body).radius;
   if (panel > coarse_at_tip * tip)
-    list.push_back(fmt::format(
-        "body.panels = {}: panels of {:.2g} do not resolve an edge of radius {:.2g}: the sheet "
-        "around it will be off by {}; {:.0f} are enough",
-        body.panels, panel, tip, panel > 3 * tip ? "a tenth and more" : "percents",
-        std::ceil(around / (panel_at_tip * tip))));
+    list.push_back(
+        fmt::format("{} = {}: panels of {:.2g} do not resolve an edge of radius {:.2g}: the sheet "
+                    "around it will be off by {}; {:.0f} are enough",
+                    key, body.panels, panel, tip, panel > 3 * tip ? "a tenth and more" : "percents",
+                    std::ceil(around / (panel_at_tip * tip))));
+}
+
+/// Cores between two bodies are folded by the nearer one alone.
+void doubt_gaps(Warnings& list, const VortexCase& scene) {
+  constexpr double cores_between = 6;
+  const body::Bodies bodies = flow::bodies_of(scene);
+  const double widest = scene.cores.sigma_max;
+  for (std::size_t k = 1; k < bodies.size(); ++k)
+    for (std::size_t before = 0; before < k; ++before) {
+      const double gap = body::gap_between({bodies[before].shape, bodies[before].centre},
+                                           {bodies[k].shape, bodies[k].centre});
+      if (gap < cores_between * widest)
+        list.push_back(fmt::format(
+            "body[{}] and body[{}] are {:.3g} apart, {:.2g} of cores.sigma_max = {:.3g}: what lies "
+            "between them will be felt by one wall alone; {:.2g} is right",
+            before, k, gap, gap / widest, widest, gap / cores_between));
+    }
 }
 
 void doubt_body(Warnings& list, const VortexCase& scene) {
   doubt_reynolds(list, scene);
   doubt_cores(list, scene);
   doubt_step(list, scene);
-  doubt_panels(list, *scene.body, scene.cores.sigma_0);
+  const std::vector<body::BodySettings> bodies = flow::every_body(scene);
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    doubt_panels(list, bodies[k], flow::key_of_body(scene, k, "panels"), scene.cores.sigma_0);
+  doubt_gaps(list, scene);
 }
 
 void doubt_initial(Warnings& list, const flow::InitialSettings& i, double core) {
@@ -171,7 +193,10 @@ flow::Warnings warnings(const VortexCase& scene) {
   doubt_places(list, scene);
   if (scene.body && flow::fastest_of(scene) > 0 && scene.flow.nu > 0) doubt_body(list, scene);
   if (scene.initial) doubt_initial(list, *scene.initial, scene.cores.sigma_0);
-  if (scene.initial && scene.body && body::covers(*scene.body, scene.initial->centre))
+  if (scene.initial &&
+      std::ranges::any_of(flow::every_body(scene), [&](const body::BodySettings& one) {
+        return body::covers(one, scene.initial->centre);
+      }))
     list.push_back(fmt::format(
         "initial.centre = [{:.4g}, {:.4g}] lies within the body, where no vorticity can be",
         scene.initial->centre[0], scene.initial->centre[1]));

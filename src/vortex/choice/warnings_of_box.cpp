@@ -34,14 +34,15 @@ double far_enough(const VortexCase& scene, const Pair& normal) {
 flow::Warnings warnings_of_box(const VortexCase& scene) {
   if (!scene.merging.box || !scene.body || flow::fastest_of(scene) == 0) return {};
   constexpr std::array<Pair, 4> normals{{{-1, 0}, {0, -1}, {1, 0}, {0, 1}}};
-  const Pair half = body::half_extent(*scene.body);
   const std::array<double, 4>& box = *scene.merging.box;
   std::array<double, 4> right = box;
   for (int side = 0; side < 4; ++side) {
-    const double out = side < 2 ? -1 : 1,
-                 edge = scene.body->centre[side % 2] +
-                        out * (half[side % 2] + far_enough(scene, normals[side]));
-    if (out * box[side] < out * edge) right[side] = edge;
+    const double out = side < 2 ? -1 : 1;
+    for (const body::BodySettings& one : flow::every_body(scene)) {
+      const double edge = one.centre[side % 2] + out * (body::half_extent(one)[side % 2] +
+                                                        far_enough(scene, normals[side]));
+      if (out * right[side] < out * edge) right[side] = edge;
+    }
   }
   if (right == box) return {};
   return {

@@ -39,7 +39,8 @@ struct Trace {
 /// error  (kappa sigma_n)^2 of the amount
 Trace trace(const CoreAtWall& core);
 
-/// Sums of traces along a wall, a value a panel, smoothed over w = 3 panels.
+/// Sums of traces along a wall, a value a panel, smoothed over w = 3 panels. A trace ends with its
+/// body.
 ///
 /// Blobs are released a panel apart and split and merge at such distances, so that their bare sum
 /// is rough there, at every step anew: by a tenth of the largest wall vorticity. The flow's own
@@ -55,6 +56,8 @@ Trace trace(const CoreAtWall& core);
 ///         cut off beyond 4 W is 2e-6 of a trace's largest value
 /// cost    2 ns a panel within 4 W; a nearest wall point for each panel at the beginning
 /// source  Beale & Majda, J. Comput. Phys. 58 (1985), for such kernels
+///
+/// wall  outlives it
 class AlongWall {
  public:
   explicit AlongWall(const Wall& wall);
@@ -65,7 +68,7 @@ class AlongWall {
   double smoothed_over(std::size_t panel) const { return smoothed_over_[panel]; }
 
  private:
-  double panel_length_;
+  const Wall* wall_;
   std::vector<double> smoothed_over_;
 };
 

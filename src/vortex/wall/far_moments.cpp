@@ -122,4 +122,14 @@ void FarMoments::add_slip(std::span<const double> moments, std::span<double> sli
   }
 }
 
+void FarMoments::add_slip_elsewhere(std::span<const double> moments, std::span<const Vec2> edge,
+                                    double length, std::span<double> slip) const {
+  const Columns columns(middle_, moments);
+  const std::size_t n = edge.size();
+  std::vector<double> at_edge;
+  for (const Vec2 at : edge) at_edge.push_back(columns.of_panels(at, 0, panels_));
+  for (std::size_t i = 0; i < n; ++i)
+    slip[i] += panel::inverse_two_pi / length * (at_edge[(i + 1) % n] - at_edge[i]);
+}
+
 }  // namespace vortree::vortex

@@ -33,6 +33,10 @@ class FarMoments {
 
   void add_slip(std::span<const double> moments, std::span<double> slip) const;
 
+  /// The same along panels of another body, of this length, which runs through these edges.
+  void add_slip_elsewhere(std::span<const double> moments, std::span<const Vec2> edge,
+                          double length, std::span<double> slip) const;
+
  private:
   class Columns;
 

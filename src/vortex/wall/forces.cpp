@@ -29,7 +29,7 @@ double of_fresh_sheet(double nu, double dt, double sigma_0) {
 
 /// What a blob shears the wall with whose core reaches it.
 void add_blob(const Blobs& blobs, std::size_t j, body::WallPoint nearest, double nu,
-              const AlongWall& along, WallShear& shear) {
+              const Wall& wall, const AlongWall& along, WallShear& shear) {
   if (nearest.distance == INFINITY) return;
   const Covariance v = blobs.core(j).covariance(nearest.normal);
   const Vec2 at_wall = blobs.centre(j) - nearest.distance * nearest.normal;
@@ -39,27 +39,48 @@ void add_blob(const Blobs& blobs, std::size_t j, body::WallPoint nearest, double
   const Trace trace =
       vortex::trace(CoreAtWall{blobs.gamma[j], nearest, across, std::sqrt(2 * v.tt)});
   along.add(trace, shear.vorticity);
-  shear.friction += (nu * trace.amount) * nearest.tangent();
-  shear.moment += nu * trace.amount * dot(at_wall, nearest.normal);
+  const std::size_t body = wall.ring_at(nearest.arc);
+  const Vec2 arm = at_wall - wall.rings()[body].centre;
+  shear.friction[body] +=
+      {(nu * trace.amount) * nearest.tangent(), nu * trace.amount * dot(arm, nearest.normal)};
 }
 
-/// What the last sheet does.
-void add_sheet(std::span<const double> sheet, const Wall& wall, double nu, double fresh,
-               const AlongWall& along, WallShear& shear) {
-  const double b = wall.panel_length();
-  for (std::size_t i = 0; i < sheet.size(); ++i) {
-    along.add({fresh * sheet[i] * b, (static_cast<double>(i) + 0.5) * b, 0}, shear.vorticity);
-    shear.friction += (nu * fresh * sheet[i] * b) * wall.tangent(i);
-    shear.moment += nu * fresh * sheet[i] * b * dot(left_of(wall.middle(i)), wall.tangent(i));
+/// What the last sheet does to a body.
+void add_sheet(std::span<const double> sheet, const Wall& wall, std::size_t body, double nu,
+               double fresh, const AlongWall& along, WallShear& shear) {
+  const Ring& ring = wall.rings()[body];
+  const double b = ring.length;
+  for (std::size_t i = ring.first; i < ring.end(); ++i) {
+    const double arc = ring.arc + (static_cast<double>(i - ring.first) + 0.5) * b;
+    along.add({fresh * sheet[i] * b, arc, 0}, shear.vorticity);
+    const Vec2 arm = wall.middle(i) - ring.centre;
+    shear.friction[body] += {(nu * fresh * sheet[i] * b) * wall.tangent(i),
+                             nu * fresh * sheet[i] * b * dot(left_of(arm), wall.tangent(i))};
   }
 }
 
 }  // namespace
 
+Load& Load::operator+=(const Load& other) {
+  force += other.force;
+  moment += other.moment;
+  return *this;
+}
+
+Load operator*(double factor, const Load& load) {
+  return {factor * load.force, factor * load.moment};
+}
+
+Load total(std::span<const Load> loads, const Wall& wall) {
+  Load sum;
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    sum += {loads[k].force, loads[k].moment + dot(left_of(wall.rings()[k].centre), loads[k].force)};
+  return sum;
+}
+
 WallShear& WallShear::operator+=(const WallShear& other) {
   for (std::size_t i = 0; i < vorticity.size(); ++i) vorticity[i] += other.vorticity[i];
-  friction += other.friction;
-  moment += other.moment;
+  for (std::size_t k = 0; k < friction.size(); ++k) friction[k] += other.friction[k];
   return *this;
 }
 
@@ -68,26 +89,30 @@ WallShear wall_shear(const Blobs& blobs, std::span<const double> sheet, const Wa
   const AlongWall along(wall);
   const body::Shape* shape = &wall.shape();
   WallShear shear = ordered_sum(blobs.size(), [&](std::size_t first, std::size_t last) {
-    WallShear some{std::vector<double>(wall.panels()), {}};
+    WallShear some(wall);
     for (std::size_t j = first; j < last; ++j)
       add_blob(blobs, j, found.nearest(j, blobs.centre(j), reach_of(blobs.core(j)), shape), nu,
-               along, some);
+               wall, along, some);
     return some;
   });
-  add_sheet(sheet, wall, nu, of_fresh_sheet(nu, dt, sigma_0), along, shear);
+  for (std::size_t body = 0; body < wall.rings().size(); ++body)
+    add_sheet(sheet, wall, body, nu, of_fresh_sheet(nu, dt, sigma_0), along, shear);
   return shear;
 }
 
-Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt) {
-  const Vec2 moment = wall.first_moment(sheet);
-  return {-moment.y / dt, moment.x / dt};
-}
-
-double pressure_moment(std::span<const double> sheet, const Wall& wall, double dt) {
-  double sum = 0;
-  for (std::size_t i = 0; i < sheet.size(); ++i)
-    sum += sheet[i] * dot(wall.middle(i), wall.middle(i));
-  return wall.panel_length() / (2 * dt) * sum;
+std::vector<Load> pressure_loads(std::span<const double> sheet, const Wall& wall, double dt) {
+  std::vector<Load> loads;
+  for (const Ring& ring : wall.rings()) {
+    Vec2 first;
+    double second = 0;
+    for (std::size_t i = ring.first; i < ring.end(); ++i) {
+      const Vec2 arm = wall.middle(i) - ring.centre;
+      first = first + (sheet[i] * ring.length) * arm;
+      second += sheet[i] * dot(arm, arm);
+    }
+    loads.push_back({{-first.y / dt, first.x / dt}, ring.length / (2 * dt) * second});
+  }
+  return loads;
 }
 
 }  // namespace vortree::vortex

@@ -7,18 +7,31 @@
 
 namespace vortree::vortex {
 
+/// What acts on a body, per unit density: a force [m^3/s^2], and its moment about the body's centre
+/// (Ring::centre), anticlockwise [m^4/s^2].
+struct Load {
+  Vec2 force{};
+  double moment = 0;
+
+  Load& operator+=(const Load& other);
+};
+Load operator*(double factor, const Load& load);
+
+/// Of all bodies together, the moment about the wall's origin.
+Load total(std::span<const Load> loads, const Wall& wall);
+
 /// vorticity  at the wall, a value a panel [1/s], smoothed along it (along_wall.hpp)
-/// friction   force per unit density [m^3/s^2]: nu int omega t ds of the same vorticity, each
+/// friction   of each body: nu int omega t ds of the same vorticity, and nu int omega x.n ds, each
 ///            core's integral along the wall in closed form, nothing smoothed
-/// moment     of it about the origin, anticlockwise [m^4/s^2]: nu int omega x.n ds
 ///
 /// A wall that turns at the rate Omega is sheared by omega - 2 Omega only, since what turns as a
 /// whole shears nothing: that leaves the force as it is, and takes 4 nu Omega A from the moment.
 struct WallShear {
   std::vector<double> vorticity;
-  Vec2 friction;
-  double moment = 0;
+  std::vector<Load> friction;
 
+  WallShear() = default;
+  explicit WallShear(const Wall& wall) : vorticity(wall.panels()), friction(wall.rings().size()) {}
   WallShear& operator+=(const WallShear& other);
 };
 
@@ -37,17 +50,14 @@ struct WallShear {
 WallShear wall_shear(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
                      double dt, double sigma_0, const WallPoints& found = WallPoints());
 
-/// Pressure force of the fluid on a body at rest (or in its frame, motion.hpp), per unit density
-/// [m^3/s^2], from the sheet that one step of dt had to release:
+/// Pressure of the fluid on each body at rest (or in its frame, motion.hpp), from the sheet that one
+/// step of dt had to release:
 ///
 ///   dp/ds = -gamma/dt,   F = -int p n ds = (-sum gamma b y, sum gamma b x)/dt
+///                        M = int p x.t ds = -1/2 int |x|^2 dp/ds ds = sum gamma b |x|^2/(2 dt)
 ///
+/// x being counted from the body's centre.
 /// source  Koumoutsakos & Leonard, J. Fluid Mech. 296 (1995)
-Vec2 pressure_force(std::span<const double> sheet, const Wall& wall, double dt);
-
-/// Its moment about the origin, anticlockwise [m^4/s^2]:
-///
-///   M = int p x.t ds = -1/2 int |x|^2 dp/ds ds = sum gamma b |x|^2/(2 dt)
-double pressure_moment(std::span<const double> sheet, const Wall& wall, double dt);
+std::vector<Load> pressure_loads(std::span<const double> sheet, const Wall& wall, double dt);
 
 }  // namespace vortree::vortex

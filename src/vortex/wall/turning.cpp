@@ -1,8 +1,10 @@
 #include "vortex/wall/turning.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "body/group.hpp"
 #include "vortex/wall/linear_system.hpp"
 #include "vortex/wall/panel_kernel.hpp"
 
@@ -27,7 +29,7 @@ std::vector<double> weights_of_logarithm(std::size_t n) {
 /// ln|x_i - x_j| less its singular part; beside itself |dx/ds'|, s' going from 0 to 2 pi.
 double smooth_logarithm(const Wall& wall, std::size_t i, std::size_t j) {
   const double n = static_cast<double>(wall.panels());
-  if (i == j) return std::log(wall.panel_length() * n / (2 * pi));
+  if (i == j) return std::log(wall.panel_length(0) * n / (2 * pi));
   const Vec2 d = wall.middle(i) - wall.middle(j);
   const double sine = 2 * std::sin(pi * (static_cast<double>(i) - static_cast<double>(j)) / n);
   return 0.5 * std::log(dot(d, d) / (sine * sine));
@@ -37,13 +39,13 @@ double smooth_logarithm(const Wall& wall, std::size_t i, std::size_t j) {
 std::vector<double> along_wall(const Wall& wall) {
   const std::size_t n = wall.panels();
   const std::vector<double> weights = weights_of_logarithm(n);
-  const double per_parameter = wall.panel_length() * static_cast<double>(n) / (2 * pi);
+  const double per_parameter = wall.panel_length(0) * static_cast<double>(n) / (2 * pi);
   std::vector<double> w(n);
   for (std::size_t i = 0; i < n; ++i) {
     Vec2 sum;
     for (std::size_t j = 0; j < n; ++j) {
       const double logarithm = 0.5 * per_parameter * weights[(i + n - j) % n] +
-                               wall.panel_length() * smooth_logarithm(wall, i, j);
+                               wall.panel_length(0) * smooth_logarithm(wall, i, j);
       sum += logarithm * wall.tangent(j);
     }
     w[i] = -dot(sum, wall.tangent(i)) / pi;
@@ -58,7 +60,7 @@ std::vector<double> sheet_outside(const Wall& wall, std::span<const double> w) {
   for (std::size_t i = 0; i < n; ++i) {
     const std::vector<double> k = wall.kernel(i);
     for (std::size_t j = 0; j < n; ++j)
-      a[i * n + j] = (i == j ? 0.5 : 0.0) + panel::inverse_two_pi * wall.panel_length() * k[j];
+      a[i * n + j] = (i == j ? 0.5 : 0.0) + panel::inverse_two_pi * wall.panel_length(0) * k[j];
   }
   return LinearSystem(a, n).solve(w);
 }
@@ -84,13 +86,41 @@ Turning::Turning(const Wall& wall) {
   slip = averaged(beyond);
   circulation = 2 * wall.area();
   moment = 2 * wall.area_moment();
+  of_centroid = 0.5 * moment;
 }
 
-std::vector<double> gained_along_wall(const Wall& wall, double faster, double rate, double dt) {
-  std::vector<double> gained;
-  for (std::size_t i = 0; i < wall.panels(); ++i) {
-    const Vec2 x = wall.middle(i);
-    gained.push_back(dot(faster * left_of(x) - (rate * rate * dt) * x, wall.tangent(i)));
+Turning Turning::among(const Wall& all, std::size_t k) const {
+  const Ring& ring = all.rings()[k];
+  Turning there = *this;
+  there.moment = moment + circulation * ring.centre;
+  there.sheet.assign(all.panels(), 0);
+  std::ranges::copy(sheet, ring.of(there.sheet).begin());
+  Velocities u(all.samples().size());
+  all.add_velocity(there.sheet, {.method = fmm::SumMethod::direct}, all.samples(), u);
+  there.slip.clear();
+  for (std::size_t i = 0; i < all.panels(); ++i)
+    there.slip.push_back(
+        0.5 * dot(Vec2{u.u[2 * i] + u.u[2 * i + 1], u.v[2 * i] + u.v[2 * i + 1]}, all.tangent(i)));
+  std::ranges::copy(slip, ring.of(there.slip).begin());
+  return there;
+}
+
+std::vector<Turning> turnings(const Wall& wall, std::span<const WallBody> bodies) {
+  if (bodies.size() == 1) return {Turning(wall)};
+  std::vector<Turning> all;
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const auto alone = std::make_shared<body::Placed>(bodies[k].shape, -1 * bodies[k].centre);
+    all.push_back(Turning(Wall(alone, bodies[k].panels)).among(wall, k));
+  }
+  return all;
+}
+
+std::vector<double> gained_along_wall(const Wall& wall, const Ring& ring, double faster,
+                                      double rate, double dt) {
+  std::vector<double> gained(wall.panels());
+  for (std::size_t i = ring.first; i < ring.end(); ++i) {
+    const Vec2 x = wall.middle(i) - ring.centre;
+    gained[i] = dot(faster * left_of(x) - (rate * rate * dt) * x, wall.tangent(i));
   }
   return gained;
 }

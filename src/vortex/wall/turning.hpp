@@ -7,17 +7,18 @@
 
 namespace vortree::vortex {
 
-/// A body that turns about the origin of its frame, for each unit of its rate, in axes that turn
-/// with it: as a patch of vorticity 2 within its outline.
+/// A body that turns about its centre, for each unit of its rate: as a patch of vorticity 2 within
+/// its outline.
 ///
 ///   w(x) = -(1/pi) oint ln|x - y| t ds         velocity of the patch (contour dynamics)
 ///
-/// slip         tangential velocity of the patch along each panel beyond e x x, that of the wall,
-///              averaged over it; a circle about the origin leaves none
+/// slip         tangential velocity of the patch along each panel beyond e x x, that of its wall,
+///              averaged over it; a circle about its centre leaves none
 /// sheet        on the outline, which moves the fluid outside as the patch does,
 ///              gamma_i/2 + b sum_j K(x_i, x_j) gamma_j = w_i t_i
 /// circulation  of the patch, 2 A [m^2]
-/// moment       int 2 x dA over the body [m^3]
+/// moment       int 2 x dA over the body [m^3], about the origin
+/// of_centroid  A times the arm from the centre to the centroid [m^3]
 /// error        falls faster than any power of b on a smooth outline: the logarithm is integrated
 ///              by the weights of Kress, exact on trigonometric polynomials
 /// cost         O(panels^3), once
@@ -26,13 +27,23 @@ namespace vortree::vortex {
 struct Turning {
   std::vector<double> slip, sheet;
   double circulation = 0;
-  Vec2 moment;
+  Vec2 moment, of_centroid;
 
+  /// Of the body alone, about the origin.
   explicit Turning(const Wall& wall);
+
+  /// Of body k of several, whose panels are those of the one alone: beyond its own panels its slip
+  /// is what its sheet moves there.
+  Turning among(const Wall& all, std::size_t k) const;
 };
 
-/// Mean acceleration of the wall beyond that of the origin, along each panel, over a step in which
-/// the rate has changed by `faster`: (faster/dt e x x - rate^2 x) t, so many times dt [m/s].
-std::vector<double> gained_along_wall(const Wall& wall, double faster, double rate, double dt);
+/// Of each body, where it stands.
+std::vector<Turning> turnings(const Wall& wall, std::span<const WallBody> bodies);
+
+/// Mean acceleration of a body's wall beyond that of its centre, along each panel, over a step in
+/// which the rate has changed by `faster`: (faster/dt e x x - rate^2 x) t, x from the centre, so
+/// many times dt [m/s]; 0 of other bodies.
+std::vector<double> gained_along_wall(const Wall& wall, const Ring& ring, double faster,
+                                      double rate, double dt);
 
 }  // namespace vortree::vortex

@@ -1,10 +1,12 @@
 #include "vortex/wall/wall.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "base/ordered_sum.hpp"
+#include "body/group.hpp"
 #include "fmm/plan.hpp"
 #include "vortex/wall/disc_multipole.hpp"
 #include "vortex/wall/panel_kernel.hpp"
@@ -15,43 +17,80 @@ namespace {
 
 const double gauss = 0.5 / std::sqrt(3.0);
 
-/// The sheet's equations and, last, its circulation; their multiplier takes up what a discrete slip
-/// misses of being free of circulation.
+/// The sheet's equations and, last, its circulations; their multipliers take up what a discrete
+/// slip misses of being free of circulation.
 std::vector<double> sheet_equations(const Wall& wall) {
-  const std::size_t n = wall.panels();
-  std::vector<double> a((n + 1) * (n + 1));
+  const std::size_t n = wall.panels(), all = n + wall.rings().size();
+  std::vector<double> a(all * all);
+  for (std::size_t r = 0; r < wall.rings().size(); ++r) {
+    const Ring& ring = wall.rings()[r];
+    for (std::size_t i = ring.first; i < ring.end(); ++i) {
+      a[i * all + n + r] = 1;
+      a[(n + r) * all + i] = ring.length;
+    }
+  }
   for (std::size_t i = 0; i < n; ++i) {
     const std::vector<double> k = wall.kernel(i);
-    double* row = &a[i * (n + 1)];
     for (std::size_t j = 0; j < n; ++j)
-      row[j] = (i == j ? 0.5 : 0.0) - panel::inverse_two_pi * wall.panel_length() * k[j];
-    row[n] = 1;
-    a[n * (n + 1) + i] = wall.panel_length();
+      a[i * all + j] = (i == j ? 0.5 : 0.0) - panel::inverse_two_pi * wall.panel_length(j) * k[j];
   }
   return a;
 }
 
+std::shared_ptr<const body::Shape> together(const std::vector<WallBody>& bodies) {
+  if (bodies.size() == 1) return bodies.front().shape;
+  std::vector<std::shared_ptr<const body::Shape>> shapes;
+  for (const WallBody& one : bodies) shapes.push_back(one.shape);
+  return std::make_shared<body::Group>(std::move(shapes));
+}
+
 }  // namespace
 
-Wall::Wall(std::shared_ptr<const body::Shape> shape, int panels) : shape_(std::move(shape)) {
-  if (panels < 8)
-    throw std::invalid_argument(std::to_string(panels) + " panels; a wall needs at least 8");
-  length_ = shape_->perimeter() / panels;
-  for (int i = 0; i < panels; ++i) {
-    edge_.push_back(shape_->point(i * length_));
-    middle_.push_back(shape_->point((i + 0.5) * length_));
-    tangent_.push_back(shape_->nearest(middle_.back()).tangent());
+Wall::Wall(std::vector<WallBody> bodies) : shape_(together(bodies)) {
+  double arc = 0;
+  for (const WallBody& body : bodies) {
+    if (body.panels < 8)
+      throw std::invalid_argument(std::to_string(body.panels) + " panels; a wall needs at least 8");
+    add_body(body, arc);
+    arc += body.shape->perimeter();
+  }
+  system_.emplace(sheet_equations(*this), panels() + rings_.size());
+}
+
+void Wall::add_body(const WallBody& body, double arc) {
+  const body::Shape& shape = *body.shape;
+  const double length = shape.perimeter() / body.panels;
+  const Ring ring{panels(), static_cast<std::size_t>(body.panels), arc, length, body.centre};
+  for (int i = 0; i < body.panels; ++i) {
+    edge_.push_back(shape.point(i * length));
+    middle_.push_back(shape.point((i + 0.5) * length));
+    tangent_.push_back(shape.nearest(middle_.back()).tangent());
     middle_x_.push_back(middle_.back().x);
     middle_y_.push_back(middle_.back().y);
     for (double offset : {0.5 - gauss, 0.5 + gauss}) {
-      const Vec2 p = shape_->point((i + offset) * length_);
+      const Vec2 p = shape.point((i + offset) * length);
       sample_x_.push_back(p.x);
       sample_y_.push_back(p.y);
     }
   }
-  near_.emplace(edge_, middle_, tangent_, samples(), length_);
-  far_.emplace(edge_, middle_, length_, near_->aside());
-  system_.emplace(sheet_equations(*this), middle_.size() + 1);
+  rings_.push_back(ring);
+  const tree::Points own{std::span(sample_x_).subspan(2 * ring.first),
+                         std::span(sample_y_).subspan(2 * ring.first)};
+  const NearPanels near(ring.of(edge_), ring.of(middle_), ring.of(tangent_), own, length);
+  parts_.push_back(
+      {body.shape, near, FarMoments(ring.of(edge_), ring.of(middle_), length, near.aside())});
+}
+
+std::size_t Wall::ring_of(std::size_t panel) const {
+  std::size_t k = 0;
+  while (panel >= rings_[k].end()) ++k;
+  return k;
+}
+
+std::size_t Wall::ring_at(double arc) const {
+  std::size_t k = rings_.size() - 1;
+  while (k > 0 && arc < rings_[k].arc) --k;
+  return k;
 }
 
 std::vector<double> Wall::kernel(std::size_t i) const {
@@ -65,34 +104,64 @@ std::vector<double> Wall::kernel(std::size_t i) const {
 }
 
 Wall::Missed& Wall::Missed::operator+=(const Missed& other) {
-  for (std::size_t i = 0; i < near.size(); ++i) near[i] += other.near[i];
-  for (std::size_t i = 0; i < moments.size(); ++i) moments[i] += other.moments[i];
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    for (std::size_t i = 0; i < near[k].size(); ++i) near[k][i] += other.near[k][i];
+    for (std::size_t i = 0; i < moments[k].size(); ++i) moments[k][i] += other.moments[k][i];
+  }
   return *this;
+}
+
+body::WallPoint Wall::nearest_on(std::size_t k, const body::WallPoint& known, Vec2 at,
+                                 double reach) const {
+  if (known.distance == INFINITY || ring_at(known.arc) != k)
+    return wall_point_within(at, reach, parts_[k].shape.get());
+  body::WallPoint on_body = known;
+  on_body.arc -= rings_[k].arc;
+  return on_body;
 }
 
 /// Exactly along the panels near it, or, if it reaches farther than these, along all.
 void Wall::add_core(Vec2 at, const Deviator& deviator, const body::WallPoint& nearest, double gamma,
                     Missed& missed) const {
   const ThreePoints points(deviator, nearest);
-  if (std::hypot(nearest.distance, points.arm()) > gathered_within * length_)
-    return near_->add_aside_everywhere(at, points, gamma, missed.near);
-  near_->add_aside(at, points, nearest.arc, gamma, missed.near);
-  far_->gather(at, points, gamma, near_->panel_at(nearest.arc), missed.moments);
+  const std::size_t own = ring_at(nearest.arc);
+  const double arc = nearest.arc - rings_[own].arc;
+  if (std::hypot(nearest.distance, points.arm()) > gathered_within * rings_[own].length) {
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      parts_[k].near.add_aside_everywhere(at, points, gamma, missed.near[k]);
+    return;
+  }
+  const NearPanels& near = parts_[own].near;
+  near.add_aside(at, points, arc, gamma, missed.near[own]);
+  parts_[own].far.gather(at, points, gamma, near.panel_at(arc), missed.moments[own]);
 }
 
 Wall::Missed Wall::missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
                                      std::size_t first, std::size_t last) const {
-  Missed missed{near_->wrapped_zeros(), far_->none()};
+  Missed missed;
+  double widest = 0;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    missed.near.push_back(parts_[k].near.wrapped_zeros());
+    missed.moments.push_back(parts_[k].far.none());
+    widest = std::max(widest, rings_[k].length);
+  }
   for (std::size_t j = first; j < last; ++j) {
     const Vec2 at = folded.at(j);
     const Deviator deviator = folded.deviator(j);
     const bool round = deviator == Deviator{};
-    const double reach = round ? exact_within * length_ : INFINITY;
-    const body::WallPoint w = folded.wall.nearest(j, at, reach, shape_.get());
-    if (w.distance <= exact_within * length_) near_->add_missed(at, w.arc, gamma[j], missed.near);
+    const body::WallPoint w =
+        folded.wall.nearest(j, at, round ? exact_within * widest : INFINITY, shape_.get());
+    if (w.distance == INFINITY) continue;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+      const double exact = exact_within * rings_[k].length;
+      const body::WallPoint on_body = nearest_on(k, w, at, exact);
+      if (on_body.distance <= exact)
+        parts_[k].near.add_missed(at, on_body.arc, gamma[j], missed.near[k]);
+    }
     if (!round) add_core(at, deviator, w, gamma[j], missed);
   }
-  missed.near = near_->unwrapped(missed.near);
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+    missed.near[k] = parts_[k].near.unwrapped(missed.near[k]);
   return missed;
 }
 
@@ -108,24 +177,46 @@ std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const 
   const Missed missed = ordered_sum(gamma.size(), [&](std::size_t first, std::size_t last) {
     return missed_by_samples(folded, gamma, first, last);
   });
-  for (std::ptrdiff_t i = 0; i < n; ++i) slip[i] += missed.near[i];
-  far_->add_slip(missed.moments, slip);
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const std::span<double> own = rings_[k].of(slip);
+    for (std::size_t i = 0; i < own.size(); ++i) own[i] += missed.near[k][i];
+    parts_[k].far.add_slip(missed.moments[k], own);
+    for (std::size_t other = 0; other < parts_.size(); ++other)
+      if (other != k)
+        parts_[k].far.add_slip_elsewhere(missed.moments[k], rings_[other].of(edge_),
+                                         rings_[other].length, rings_[other].of(slip));
+  }
   return slip;
 }
 
-std::vector<double> Wall::sheet(std::span<const double> slip, double total) const {
+std::vector<double> Wall::sheet(std::span<const double> slip,
+                                std::span<const double> totals) const {
   std::vector<double> right(slip.begin(), slip.end());
-  right.push_back(total);
+  right.insert(right.end(), totals.begin(), totals.end());
   std::vector<double> gamma = system_->solve(right);
-  gamma.pop_back();
+  gamma.resize(panels());
   return gamma;
 }
 
-void Wall::add_velocity_of_points(std::span<const double> sheet, const fmm::Options& sums,
-                                  tree::Points targets, Velocities& u) const {
-  std::vector<double> circulation(sheet.begin(), sheet.end());
-  for (double& g : circulation) g *= length_;
-  const Disc disc({middle_x_, middle_y_});
+std::vector<double> Wall::sheet(std::span<const double> slip, double total) const {
+  return sheet(slip, shared(total));
+}
+
+std::vector<double> Wall::shared(double total) const {
+  if (rings_.size() == 1) return {total};
+  std::vector<double> shares;
+  for (const Part& part : parts_)
+    shares.push_back(total * part.shape->perimeter() / shape_->perimeter());
+  return shares;
+}
+
+void Wall::add_velocity_of_points(const Ring& ring, std::span<const double> sheet,
+                                  const fmm::Options& sums, tree::Points targets,
+                                  Velocities& u) const {
+  const tree::Points middles{ring.of(middle_x_), ring.of(middle_y_)};
+  std::vector<double> circulation(sheet.begin() + ring.first, sheet.begin() + ring.end());
+  for (double& g : circulation) g *= ring.length;
+  const Disc disc(middles);
   std::vector<std::uint32_t> far, near;
   std::vector<double> x, y;
   for (std::uint32_t t = 0; t < targets.size(); ++t) {
@@ -137,12 +228,11 @@ void Wall::add_velocity_of_points(std::span<const double> sheet, const fmm::Opti
       y.push_back(targets.y[t]);
     }
   }
-  if (!far.empty())
-    DiscMultipole(disc, {middle_x_, middle_y_}, circulation).add_velocity(targets, far, u);
+  if (!far.empty()) DiscMultipole(disc, middles, circulation).add_velocity(targets, far, u);
   Velocities upon_near(near.size());
   fmm::Options near_sums = sums;
-  if (panels() <= panels_one_by_one) near_sums.method = fmm::SumMethod::direct;
-  fmm::Plan({middle_x_, middle_y_, circulation, {}}, near_sums)
+  if (ring.panels <= panels_one_by_one) near_sums.method = fmm::SumMethod::direct;
+  fmm::Plan({middles.x, middles.y, circulation, {}}, near_sums)
       .velocity(fmm::Targets{x, y, {}}, upon_near.u, upon_near.v);
   for (std::size_t k = 0; k < near.size(); ++k) {
     u.u[near[k]] += upon_near.u[k];
@@ -150,60 +240,80 @@ void Wall::add_velocity_of_points(std::span<const double> sheet, const fmm::Opti
   }
 }
 
-void Wall::add_velocity(std::span<const double> sheet, const fmm::Options& sums,
-                        tree::Points targets, Velocities& u, const WallPoints& found) const {
-  add_velocity_of_points(sheet, sums, targets, u);
-  const std::vector<double> wrapped = near_->wrapped(sheet);
+void Wall::add_near_velocity(std::size_t k, std::span<const double> sheet, tree::Points targets,
+                             Velocities& u, const WallPoints& found) const {
+  const NearPanels& near = parts_[k].near;
+  const std::vector<double> wrapped = near.wrapped(rings_[k].of(sheet));
+  const double exact = exact_within * rings_[k].length;
   const auto count = static_cast<std::ptrdiff_t>(targets.size());
 #pragma omp parallel for schedule(dynamic, wall_points_a_turn)
   for (std::ptrdiff_t t = 0; t < count; ++t) {
     const Vec2 at{targets.x[t], targets.y[t]};
-    const body::WallPoint w = found.nearest(t, at, exact_within * length_, shape_.get());
-    if (std::abs(w.distance) >= exact_within * length_) continue;
-    const Vec2 sum = near_->correction(at, w.arc, wrapped);
+    const body::WallPoint w = nearest_on(k, found.known(t), at, exact);
+    if (std::abs(w.distance) >= exact) continue;
+    const Vec2 sum = near.correction(at, w.arc, wrapped);
     u.u[t] += sum.x;
     u.v[t] += sum.y;
+  }
+}
+
+void Wall::add_velocity(std::span<const double> sheet, const fmm::Options& sums,
+                        tree::Points targets, Velocities& u, const WallPoints& found) const {
+  for (std::size_t k = 0; k < rings_.size(); ++k) {
+    add_velocity_of_points(rings_[k], sheet, sums, targets, u);
+    add_near_velocity(k, sheet, targets, u, found);
+  }
+}
+
+void Wall::add_near_stream_function(std::size_t k, std::span<const double> sheet,
+                                    tree::Points targets, std::span<double> psi) const {
+  const NearPanels& near = parts_[k].near;
+  const std::vector<double> wrapped = near.wrapped(rings_[k].of(sheet));
+  const double exact = exact_within * rings_[k].length;
+  const auto count = static_cast<std::ptrdiff_t>(targets.size());
+#pragma omp parallel for schedule(dynamic, wall_points_a_turn)
+  for (std::ptrdiff_t t = 0; t < count; ++t) {
+    const Vec2 at{targets.x[t], targets.y[t]};
+    const body::WallPoint w = nearest_on(k, no_wall_point, at, exact);
+    if (std::abs(w.distance) < exact) psi[t] += near.stream_correction(at, w.arc, wrapped);
   }
 }
 
 void Wall::add_stream_function(std::span<const double> sheet, const fmm::Options& sums,
                                tree::Points targets, std::span<double> psi) const {
   std::vector<double> circulation(sheet.begin(), sheet.end()), of_points(targets.size());
-  for (double& g : circulation) g *= length_;
+  for (const Ring& ring : rings_)
+    for (double& g : ring.of(circulation)) g *= ring.length;
   fmm::Plan({middle_x_, middle_y_, circulation, {}}, sums)
       .stream_function(fmm::Targets{targets.x, targets.y, {}}, of_points);
-  const std::vector<double> wrapped = near_->wrapped(sheet);
-  const auto count = static_cast<std::ptrdiff_t>(targets.size());
-#pragma omp parallel for schedule(dynamic, wall_points_a_turn)
-  for (std::ptrdiff_t t = 0; t < count; ++t) {
-    const Vec2 at{targets.x[t], targets.y[t]};
-    const body::WallPoint w = WallPoints().nearest(t, at, exact_within * length_, shape_.get());
-    psi[t] += of_points[t];
-    if (std::abs(w.distance) < exact_within * length_)
-      psi[t] += near_->stream_correction(at, w.arc, wrapped);
-  }
+  for (std::size_t t = 0; t < psi.size(); ++t) psi[t] += of_points[t];
+  for (std::size_t k = 0; k < rings_.size(); ++k) add_near_stream_function(k, sheet, targets, psi);
 }
 
-double Wall::area() const {
+double Wall::area(std::size_t k) const {
+  const Ring& ring = rings_[k];
   double sum = 0;
-  for (std::size_t i = 0; i < panels(); ++i)
-    sum += 0.5 * length_ * (middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x);
+  for (std::size_t i = ring.first; i < ring.end(); ++i)
+    sum += 0.5 * ring.length * (middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x);
   return sum;
 }
 
 /// The divergence of x_k x is 3 x_k.
-Vec2 Wall::area_moment() const {
+Vec2 Wall::area_moment(std::size_t k) const {
+  const Ring& ring = rings_[k];
   Vec2 sum;
-  for (std::size_t i = 0; i < panels(); ++i) {
+  for (std::size_t i = ring.first; i < ring.end(); ++i) {
     const double out = middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x;
-    sum += (out * length_ / 3) * middle_[i];
+    sum += (out * ring.length / 3) * middle_[i];
   }
   return sum;
 }
 
 Vec2 Wall::first_moment(std::span<const double> sheet) const {
   Vec2 sum;
-  for (std::size_t i = 0; i < sheet.size(); ++i) sum = sum + (sheet[i] * length_) * middle_[i];
+  for (const Ring& ring : rings_)
+    for (std::size_t i = ring.first; i < ring.end(); ++i)
+      sum = sum + (sheet[i] * ring.length) * middle_[i];
   return sum;
 }
 

@@ -15,30 +15,66 @@
 
 namespace vortree::vortex {
 
-/// A vortex sheet on a closed curve, in panels of equal arc length b, that holds the interior at
-/// rest.
+/// One of the bodies that a wall goes around.
+///
+/// shape   as seen from the wall's origin
+/// centre  about which its moments are told
+/// panels  of equal arc length
+struct WallBody {
+  std::shared_ptr<const body::Shape> shape;
+  int panels;
+  Vec2 centre{};
+};
+
+/// The panels of one body among those of a wall: they lie one after another.
+///
+/// arc     where its first panel begins, along all of the wall
+/// length  of each of them
+struct Ring {
+  std::size_t first, panels;
+  double arc, length;
+  Vec2 centre;
+
+  std::size_t end() const { return first + panels; }
+  /// Of values of all panels, those of this body.
+  template <class Values>
+  auto of(Values& values) const {
+    return std::span(values).subspan(first, panels);
+  }
+};
+
+/// A vortex sheet on the outlines of bodies, each in panels of equal arc length b, that holds all
+/// interiors at rest.
 ///
 /// The slip of stream and blobs along panel i, averaged over it, fixes the sheet:
 ///
-///   gamma_i/2 - b sum_j K(x_i, x_j) gamma_j = slip_i,   K(x, x') = (1/2 pi) d/dn ln|x - x'|,
-///   b sum_i gamma_i = total,
+///   gamma_i/2 - sum_j b_j K(x_i, x_j) gamma_j = slip_i,   K(x, x') = (1/2 pi) d/dn ln|x - x'|,
+///   b sum_i gamma_i = total,  of each body,
 ///
 /// gamma, slip and tangent all anticlockwise (the bare stream past a circle gives -2 U sin theta).
 /// The trapezoid rule converges faster than any power of b on a smooth curve; K(x, x) is the
-/// curvature/(4 pi). The matrix is factorised once. The average of a vortex's tangential velocity
-/// is the angle under which it sees the panel, gamma/(2 pi b) * angle: exact however near it is. A
-/// core that the wall folds is seen as three bare points with its second moments
-/// (three_points.hpp), a free one as one.
+/// curvature/(4 pi). Between bodies it errs by exp(-2 pi distance/b). The matrix is factorised once.
+/// The average of a vortex's tangential velocity is the angle under which it sees the panel,
+/// gamma/(2 pi b) * angle: exact however near it is. A core that the wall folds is seen as three bare
+/// points with its second moments (three_points.hpp), a free one as one.
 /// cost    setting up O(panels^3) once; a sheet O(panels^2 + blobs near the wall)
 /// source  Koumoutsakos, Leonard & Pepin, J. Comput. Phys. 113 (1994), eq. 12-15
 class Wall {
  public:
   /// throws std::invalid_argument for fewer than 8 panels
-  Wall(std::shared_ptr<const body::Shape> shape, int panels);
+  explicit Wall(std::vector<WallBody> bodies);
+  Wall(std::shared_ptr<const body::Shape> shape, int panels)
+      : Wall(std::vector<WallBody>{{std::move(shape), panels}}) {}
 
+  /// Of all bodies.
   const body::Shape& shape() const { return *shape_; }
+  std::span<const Ring> rings() const { return rings_; }
+  /// The number of the ring that has this panel, or this arc.
+  std::size_t ring_of(std::size_t panel) const;
+  std::size_t ring_at(double arc) const;
+
   std::size_t panels() const { return middle_.size(); }
-  double panel_length() const { return length_; }
+  double panel_length(std::size_t i) const { return rings_[ring_of(i)].length; }
   Vec2 middle(std::size_t i) const { return middle_[i]; }
   std::span<const Vec2> middles() const { return middle_; }
   Vec2 tangent(std::size_t i) const { return tangent_[i]; }
@@ -51,8 +87,13 @@ class Wall {
   std::vector<double> slip(Vec2 stream, const Velocities& at_samples, const FoldedBlobs& folded,
                            std::span<const double> gamma) const;
 
-  /// The sheet that cancels a slip, with circulation `total`.
+  /// The sheet that cancels a slip, with a circulation for each body; or with one for all, which
+  /// they share by their perimeters.
+  std::vector<double> sheet(std::span<const double> slip, std::span<const double> totals) const;
   std::vector<double> sheet(std::span<const double> slip, double total) const;
+
+  /// Shares of a circulation that belongs to all bodies together.
+  std::vector<double> shared(double total) const;
 
   /// Adds the velocity of a sheet at points of the fluid: panels as point vortices from afar (for
   /// them the trapezoid rule errs by exp(-2 pi distance/b)), exact panel integrals near.
@@ -72,35 +113,50 @@ class Wall {
   /// 2 pi K(x_i, x_j) for all j [1/m].
   std::vector<double> kernel(std::size_t i) const;
 
-  /// Of the body [m^2], and int x dA over it [m^3].
-  double area() const;
-  Vec2 area_moment() const;
+  /// Of a body [m^2], and int x dA over it [m^3]; of the first, or of that with this number.
+  double area(std::size_t ring = 0) const;
+  Vec2 area_moment(std::size_t ring = 0) const;
 
   /// sum of gamma b x over the panels.
   Vec2 first_moment(std::span<const double> sheet) const;
 
  private:
-  /// The same, of panels as point vortices.
-  void add_velocity_of_points(std::span<const double> sheet, const fmm::Options& sums,
-                              tree::Points targets, Velocities& u) const;
+  /// What the panels of a body are to points near them, and far away.
+  struct Part {
+    std::shared_ptr<const body::Shape> shape;
+    NearPanels near;
+    FarMoments far;
+  };
 
   /// What the two samples a panel miss of some vortices: of those close to it, and of cores.
   struct Missed {
-    std::vector<double> near;     // a value a panel
-    std::vector<double> moments;  // of folded cores, for panels far along the wall
+    std::vector<std::vector<double>> near;     // a value a panel, of each body
+    std::vector<std::vector<double>> moments;  // of folded cores, for panels far along the wall
     Missed& operator+=(const Missed& other);
   };
+
+  void add_body(const WallBody& body, double arc);
+  /// Of the panels of one body, as point vortices; and what they are beyond that to targets near.
+  void add_velocity_of_points(const Ring& ring, std::span<const double> sheet,
+                              const fmm::Options& sums, tree::Points targets, Velocities& u) const;
+  void add_near_velocity(std::size_t k, std::span<const double> sheet, tree::Points targets,
+                         Velocities& u, const WallPoints& found) const;
+  void add_near_stream_function(std::size_t k, std::span<const double> sheet, tree::Points targets,
+                                std::span<double> psi) const;
   Missed missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
                            std::size_t first, std::size_t last) const;
   void add_core(Vec2 at, const Deviator& deviator, const body::WallPoint& nearest, double gamma,
                 Missed& missed) const;
+  /// The place on one body, its arc counted from there, that is nearest to a point, of which the
+  /// nearest on all bodies is known or none is; or none if that is farther than `reach`.
+  body::WallPoint nearest_on(std::size_t k, const body::WallPoint& known, Vec2 at,
+                             double reach) const;
 
   std::shared_ptr<const body::Shape> shape_;
-  double length_;
+  std::vector<Ring> rings_;
+  std::vector<Part> parts_;
   std::vector<Vec2> edge_, middle_, tangent_;
   std::vector<double> sample_x_, sample_y_, middle_x_, middle_y_;
-  std::optional<NearPanels> near_;
-  std::optional<FarMoments> far_;
   std::optional<LinearSystem> system_;
 };
 

@@ -17,7 +17,7 @@ TEST_CASE("the outline of a body is a closed table, from its centre, below a not
                           .numbers = {{"chord", 2}, {"edge", 0.01}},
                           .incidence = 30,
                           .centre = {7, 9}};
-  io::write_outline(box / "outline.csv", foil);
+  io::write_outlines(box / "outline.csv", {foil});
   std::ifstream file(box / "outline.csv");
   std::string note;
   std::getline(file, note);

@@ -45,7 +45,7 @@ double apart(double a, double b, double perimeter) {
 
 double total(const std::vector<double>& values, const Wall& wall) {
   double sum = 0;
-  for (double v : values) sum += v * wall.panel_length();
+  for (double v : values) sum += v * wall.panel_length(0);
   return sum;
 }
 
@@ -54,7 +54,7 @@ double total(const std::vector<double>& values, const Wall& wall) {
 TEST_CASE("what a trace adds is its Gaussian smoothed by a Gaussian freed of its broadening") {
   const Wall wall(body::circle({}, radius), 300);
   const AlongWall along(wall);
-  const double b = wall.panel_length(), perimeter = 300 * b;
+  const double b = wall.panel_length(0), perimeter = 300 * b;
   for (double width : {0.0, 0.3 * b, 4 * b, 12 * b}) {
     for (double arc : {0.2 * b, 100.7 * b, 299.9 * b}) {
       const Trace trace{3, arc, width};
@@ -72,7 +72,7 @@ TEST_CASE("smoothing leaves of sin(k s) a share (1 + q) exp(-q), q = (k w/2)^2")
   constexpr int panels = 400;
   const Wall wall(body::circle({}, radius), panels);
   const AlongWall along(wall);
-  const double b = wall.panel_length();
+  const double b = wall.panel_length(0);
   for (int mode : {1, 10, 20, 40}) {
     std::vector<double> values(panels);
     const double k = mode / radius, q = std::pow(k * 3 * b / 2, 2);
@@ -91,7 +91,7 @@ TEST_CASE("smoothing keeps each amount, beside sharp edges, too") {
   test::Uniform uniform(5);
   for (int k = 0; k < 200; ++k) {
     std::vector<double> values(wall.panels());
-    along.add({2, 500 * wall.panel_length() * uniform(), 0.01 * uniform()}, values);
+    along.add({2, 500 * wall.panel_length(0) * uniform(), 0.01 * uniform()}, values);
     CHECK(total(values, wall) == Approx(2).epsilon(1e-5));
   }
 }
@@ -100,9 +100,9 @@ TEST_CASE(
     "smoothing is over three panels, near bends over a quarter of their radius, and one panel") {
   const Wall circle(body::circle({}, radius), 300), foil(body::naca0012({}, 1, 0.005, 0), 600);
   for (std::size_t i = 0; i < 300; ++i)
-    CHECK(AlongWall(circle).smoothed_over(i) == Approx(3 * circle.panel_length()));
+    CHECK(AlongWall(circle).smoothed_over(i) == Approx(3 * circle.panel_length(0)));
   const AlongWall along(foil);
-  const double b = foil.panel_length();
+  const double b = foil.panel_length(0);
   double longest = 0;
   for (std::size_t i = 0; i < 600; ++i) {
     const double bend = std::abs(foil.shape().nearest(foil.middle(i)).curvature);

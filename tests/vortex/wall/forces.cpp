@@ -62,7 +62,7 @@ Blobs scattered_sheet(const Wall& wall, double sigma) {
   test::Uniform uniform(3);
   Blobs blobs;
   for (std::size_t k = 0; k < wall.panels(); ++k) {
-    const double theta = test::polar_angle(wall.middle(k)), b = wall.panel_length();
+    const double theta = test::polar_angle(wall.middle(k)), b = wall.panel_length(0);
     const double half = b / radius * uniform();
     for (double at : {theta - half, theta + half})
       blobs.append({radius * std::cos(at), radius * std::sin(at)}, 0.5 * b * std::sin(theta),
@@ -91,7 +91,7 @@ double off(Vec2 a, Vec2 b) {
 TEST_CASE("of cores scattered along the wall the wall vorticity is that of their layer, to 2 %") {
   // That of the sheet sin theta, 2 sin theta/(sqrt(pi) sigma); their bare sum is 8 to 26 % off.
   const Wall wall = wall_of(250), finer = wall_of(500);
-  const double b = finer.panel_length();
+  const double b = finer.panel_length(0);
   for (double sigma : {b, 1.5 * b, 2 * b}) {
     const Blobs blobs = scattered_sheet(finer, sigma);
     const auto omega = wall_shear(blobs, std::vector<double>(250), wall, nu, dt, sigma_0).vorticity;
@@ -138,7 +138,7 @@ TEST_CASE(
     "an even rate makes the wall vorticity gamma/dt (2 sqrt(t/(pi nu)) - kappa t/2), whatever "
     "sigma_0") {
   const Wall wall = wall_of(200);
-  const double b = wall.panel_length();
+  const double b = wall.panel_length(0);
   const std::vector<double> sheet(200, 2.0);
   for (double share : {1.0, 1.5, 2.0, 3.0}) {
     const double sigma_0 = std::sqrt(share * nu * dt);
@@ -163,7 +163,7 @@ TEST_CASE("the pressure force of the sheet a sin theta + c cos theta is pi R^2 (
     const double theta = test::polar_angle(wall.middle(i));
     sheet.push_back(3 * std::sin(theta) + 2 * std::cos(theta) + 0.7 + std::cos(2 * theta));
   }
-  const Vec2 force = pressure_force(sheet, wall, dt);
+  const Vec2 force = pressure_loads(sheet, wall, dt)[0].force;
   CHECK(force.x == Approx(-3 * pi * radius * radius / dt).epsilon(1e-13));
   CHECK(force.y == Approx(2 * pi * radius * radius / dt).epsilon(1e-13));
 }
@@ -173,8 +173,9 @@ TEST_CASE("the friction of a layer is the integral of its Gaussians at the wall,
     for (double cores : {0.0, 0.7, 1.5}) {
       const Blobs blobs = hand_made_layer(cores * sigma, sigma);
       const Vec2 exact = friction_by_quadrature(blobs);
-      const Vec2 force =
-          wall_shear(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0).friction;
+      const Vec2 force = wall_shear(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0)
+                             .friction[0]
+                             .force;
       // Heat at the bent wall would have that much less (tests/vortex/wall/along_wall.cpp).
       CHECK(off(force, exact) < sigma / radius * std::hypot(exact.x, exact.y));
     }
@@ -185,7 +186,7 @@ TEST_CASE("the friction of single blobs is that of their integrals, wherever the
   const Blobs blobs = test::layer(100, radius, 0.05, 0.01, 0.03);
   const Vec2 exact = friction_by_quadrature(blobs);
   const Vec2 force =
-      wall_shear(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0).friction;
+      wall_shear(blobs, std::vector<double>(50), wall_of(50), nu, dt, sigma_0).friction[0].force;
   CHECK(off(force, exact) < 2e-2 * std::hypot(exact.x, exact.y));
 }
 
@@ -196,7 +197,7 @@ TEST_CASE("the friction of a sheet of sin theta is that of its wall vorticity, a
     sheet.push_back(-2 * std::sin(test::polar_angle(wall.middle(i))));
   const double even =
       wall_shear({}, std::vector<double>(60, 2.0), wall, nu, dt, sigma_0).vorticity[0];
-  const Vec2 force = wall_shear({}, sheet, wall, nu, dt, sigma_0).friction;
+  const Vec2 force = wall_shear({}, sheet, wall, nu, dt, sigma_0).friction[0].force;
   CHECK(force.x == Approx(nu * even * pi * radius).epsilon(1e-6));
   CHECK(std::abs(force.y) < 1e-14);
 }
@@ -204,7 +205,7 @@ TEST_CASE("the friction of a sheet of sin theta is that of its wall vorticity, a
 TEST_CASE("the moment of a sheet's pressure is that of the pressure, summed panel by panel") {
   const Vec2 centre{0.3, -0.2};
   const Wall wall(body::ellipse(centre, 0.5, 0.2, 0.4), 400);
-  const double b = wall.panel_length();
+  const double b = wall.panel_length(0);
   std::vector<double> sheet;
   double sum = 0;
   for (std::size_t i = 0; i < wall.panels(); ++i) {
@@ -220,7 +221,7 @@ TEST_CASE("the moment of a sheet's pressure is that of the pressure, summed pane
     moment += -at_middle * b * (x.x * normal.y - x.y * normal.x);
     pressure -= sheet[i] / dt * b;
   }
-  CHECK(pressure_moment(sheet, wall, dt) == Approx(moment).epsilon(1e-3));  // of (b/D)^2
+  CHECK(pressure_loads(sheet, wall, dt)[0].moment == Approx(moment).epsilon(1e-3));  // of (b/D)^2
 }
 
 TEST_CASE("a circle's pressure has no moment about its centre, about any other that of its force") {
@@ -231,16 +232,16 @@ TEST_CASE("a circle's pressure has no moment about its centre, about any other t
     const double theta = test::polar_angle(here.middle(i));
     sheet.push_back(3 * std::sin(theta) + 2 * std::cos(theta) + std::cos(2 * theta));
   }
-  const Vec2 force = pressure_force(sheet, here, dt);
-  CHECK(std::abs(pressure_moment(sheet, here, dt)) < 1e-12);
-  CHECK(pressure_moment(sheet, there, dt) ==
+  const Vec2 force = pressure_loads(sheet, here, dt)[0].force;
+  CHECK(std::abs(pressure_loads(sheet, here, dt)[0].moment) < 1e-12);
+  CHECK(pressure_loads(sheet, there, dt)[0].moment ==
         Approx(centre.x * force.y - centre.y * force.x).epsilon(1e-12));
 }
 
 TEST_CASE("the moment of friction is that of the wall vorticity along an ellipse") {
   // Of a layer as thin as its walls are flat; the twin sums what it makes of the wall vorticity.
   const Wall wall(body::ellipse({0.1, 0.2}, 0.5, 0.25, 0.3), 400);
-  const double b = wall.panel_length(), sigma = 0.01;
+  const double b = wall.panel_length(0), sigma = 0.01;
   Blobs blobs;
   for (std::size_t i = 0; i < wall.panels(); ++i) {
     const double turn = 2 * pi * (static_cast<double>(i) + 0.5) / 400;
@@ -252,5 +253,5 @@ TEST_CASE("the moment of friction is that of the wall vorticity along an ellipse
     const Vec2 x = wall.middle(i), t = wall.tangent(i);
     moment += nu * shear.vorticity[i] * b * (x.x * t.y - x.y * t.x);
   }
-  CHECK(shear.moment == Approx(moment).epsilon(2e-3));
+  CHECK(shear.friction[0].moment == Approx(moment).epsilon(2e-3));
 }

@@ -41,7 +41,7 @@ FoldedBlobs bare(FoldedBlobs at) {
 /// Average slip along each panel by the angles under which it is seen from each of three points.
 std::vector<double> slip_by_angles(const Wall& wall, const FoldedBlobs& at,
                                    const std::vector<double>& gamma) {
-  const double b = wall.panel_length();
+  const double b = wall.panel_length(0);
   std::vector<double> slip(wall.panels());
   for (std::size_t j = 0; j < gamma.size(); ++j) {
     const ThreePoints points(at.deviator(j), wall.shape().nearest(at.at(j)));
@@ -258,7 +258,7 @@ FoldedBlobs as_many_points(const Blobs& blobs, const body::Shape& wall,
 
 TEST_CASE("an elongated core at 2 s has the slip of 196 points, eight times as near as a point") {
   const Wall wall(body::circle({}, radius), 300);
-  const double s = wall.panel_length() / 1.2;
+  const double s = wall.panel_length(0) / 1.2;
   for (double phi : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5}) {  // to the normal
     Blobs blobs;
     blobs.append({radius + 2 * s, 0}, 1,

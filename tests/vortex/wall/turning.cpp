@@ -64,7 +64,7 @@ TEST_CASE("an ellipse that turns about any pivot slips as Kirchhoff's patch does
   double most = 0;
   for (std::size_t i = 0; i < wall.panels(); ++i) {
     const auto at = [&](double offset) {
-      const double arc = (static_cast<double>(i) + offset) * wall.panel_length();
+      const double arc = (static_cast<double>(i) + offset) * wall.panel_length(0);
       const Vec2 x = wall.shape().point(arc), t = wall.shape().nearest(x).tangent();
       return dot(within_ellipse(a, b, x - centre) - left_of(x), t);
     };
@@ -84,7 +84,7 @@ TEST_CASE("outside, the sheet of a body that turns is the patch that fills it") 
   const Wall wall(body::ellipse(centre, a, b, 0), 200);
   const Turning turning(wall);
   double sum = 0;
-  for (const double gamma : turning.sheet) sum += gamma * wall.panel_length();
+  for (const double gamma : turning.sheet) sum += gamma * wall.panel_length(0);
   CHECK(sum == Approx(turning.circulation).epsilon(1e-8));
   for (const Vec2 at : {Vec2{0.9, 0}, Vec2{0.3, 0.15}, Vec2{-0.4, 0.5}, Vec2{2, 3}}) {
     const Vec2 sheet = velocity_of(wall, turning.sheet, at),
@@ -100,7 +100,7 @@ TEST_CASE("what panels miss of a body that turns falls fast as they are refined"
     const Wall wall(body::naca0012({0.2, 0}, 1, 0.01, 0.1), panels);
     const Turning turning(wall);
     double sum = 0;
-    for (const double gamma : turning.sheet) sum += gamma * wall.panel_length();
+    for (const double gamma : turning.sheet) sum += gamma * wall.panel_length(0);
     return std::abs(sum / turning.circulation - 1);
   };
   CHECK(circulation_off(800) < 1e-3);
@@ -110,7 +110,8 @@ TEST_CASE("what panels miss of a body that turns falls fast as they are refined"
 TEST_CASE("along the wall a body gains speed as it spins up, less what draws it to the pivot") {
   const Wall wall(body::ellipse({0.3, -0.1}, 0.5, 0.2, 0.4), 100);
   const double dt = 0.01, rate = 1.3, spin_up = 0.7;
-  const std::vector<double> gained = vortex::gained_along_wall(wall, spin_up * dt, rate, dt);
+  const std::vector<double> gained =
+      vortex::gained_along_wall(wall, wall.rings()[0], spin_up * dt, rate, dt);
   for (std::size_t i = 0; i < wall.panels(); i += 7) {
     const Vec2 x = wall.middle(i);
     const Vec2 a{-spin_up * x.y - rate * rate * x.x, spin_up * x.x - rate * rate * x.y};

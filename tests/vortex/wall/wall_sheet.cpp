@@ -47,7 +47,7 @@ double error(const Wall& wall, const std::vector<double>& sheet, Complex z0, dou
 /// Average along the arc of panel i of a unit vortex's tangential velocity, in many small steps.
 double average_on_arc(const Wall& wall, std::size_t i, Complex z0) {
   constexpr int steps = 20000;
-  const double b = wall.panel_length();
+  const double b = wall.panel_length(0);
   double turned = 0;
   Complex before = test::complex(wall.shape().point(i * b)) - z0;
   for (int k = 1; k <= steps; ++k) {
@@ -114,7 +114,7 @@ TEST_CASE("the sheet's total circulation is what was asked for, to round-off") {
   for (double total : {0.0, -1.0, 3.7})
     for (double r : {0.5001, 0.52, 0.8}) {
       const auto sheet = wall.sheet(slip_of_vortex(wall, std::polar(r, 2.1)), total);
-      CHECK(std::abs(sum_of(sheet) * wall.panel_length() - total) < 1e-14);
+      CHECK(std::abs(sum_of(sheet) * wall.panel_length(0) - total) < 1e-14);
     }
 }
 
@@ -148,7 +148,7 @@ TEST_CASE("by a vortex's average slip, the sheet comes to the images' in second 
 
 TEST_CASE("the slip of a vortex near the wall is its exact average over each panel, however near") {
   const Wall wall = wall_of(64);
-  const double b = wall.panel_length();
+  const double b = wall.panel_length(0);
   for (double distance : {1e-6, 1e-3, 0.1, 1.0, 2.9}) {
     for (double along : {10.5, 11.0, 63.9}) {
       const Complex z0 = std::polar(radius + distance * b, along * b / radius);
@@ -163,7 +163,7 @@ TEST_CASE("the slip of a vortex near the wall is its exact average over each pan
 
 TEST_CASE("the sheet of a vortex very near is the average of the images' over each panel") {
   const Wall wall = wall_of(64);
-  const double b = wall.panel_length();
+  const double b = wall.panel_length(0);
   for (double distance : {0.01, 0.3, 2.9}) {
     const Complex z0 = std::polar(radius + distance * b, 1.0);
     const Complex image = radius * radius / std::conj(z0);

@@ -44,7 +44,7 @@ std::vector<Complex> velocity(const Wall& wall, const std::vector<double>& sheet
 /// The largest error of stream and sheet on a ring, a number of panel lengths from the wall.
 double stream_error(int panels, double lengths) {
   const Wall wall = wall_of(panels);
-  const auto at = ring(lengths * wall.panel_length());
+  const auto at = ring(lengths * wall.panel_length(0));
   const auto w = velocity(wall, test::sheet_of_stream(wall), at);
   double largest = 0;
   for (std::size_t k = 0; k < at.size(); ++k)
@@ -73,7 +73,7 @@ TEST_CASE("stream and sheet leave the body's interior at rest") {
       const Complex z = std::polar(r, theta);
       Complex w = 1;
       for (std::size_t i = 0; i < wall.panels(); ++i)
-        w += sheet[i] * wall.panel_length() /
+        w += sheet[i] * wall.panel_length(0) /
              (2 * std::numbers::pi * test::i_unit * (z - test::complex(wall.middle(i))));
       CHECK(std::abs(w) < 1e-12);
     }
@@ -90,7 +90,7 @@ TEST_CASE("a vortex and its sheet leave the interior at rest, to second order in
     const Complex z = std::polar(0.2, 1.5);
     Complex w = 1.0 / (z - z0);
     for (std::size_t i = 0; i < wall.panels(); ++i)
-      w += sheet[i] * wall.panel_length() / (z - test::complex(wall.middle(i)));
+      w += sheet[i] * wall.panel_length(0) / (z - test::complex(wall.middle(i)));
     return std::abs(w) / (2 * std::numbers::pi);
   };
   CHECK(inside(128) < 1e-4);
@@ -133,7 +133,7 @@ TEST_CASE("no fluid passes the wall: averaged over a panel, to first order") {
       std::vector<Complex> at;
       for (int k = 0; k < count; ++k)
         at.push_back(std::polar(radius * (1 + 1e-9),
-                                (i + (k + 0.5) / count) * wall.panel_length() / radius));
+                                (i + (k + 0.5) / count) * wall.panel_length(0) / radius));
       const auto w = velocity(wall, sheet, at);
       double sum = 0;
       for (int k = 0; k < count; ++k) sum += ((1.0 + w[k]) * at[k] / std::abs(at[k])).real();
@@ -148,7 +148,7 @@ TEST_CASE("no fluid passes the wall: averaged over a panel, to first order") {
 
 TEST_CASE("the velocity of a near panel is its integral, of a far one its vortex's") {
   const Wall wall = wall_of(64);
-  const double b = wall.panel_length();
+  const double b = wall.panel_length(0);
   std::vector<double> sheet(64);
   sheet[20] = 1;
   const Complex a = test::complex(wall.shape().point(20 * b));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "vortex/adapt/lattice/units.hpp"
@@ -24,7 +25,7 @@ bool WallLattice::takes(const Core& core, const body::WallPoint& nearest) const 
 }
 
 bool WallLattice::fits(const body::Shape& wall) const {
-  return wall.perimeter() < most_columns * step;
+  return std::ranges::max(wall.perimeters()) < most_columns * step;
 }
 
 int SpreadShares::reach_of(double V) {
@@ -49,14 +50,22 @@ SpreadShares::SpreadShares(double d, double V) : reach_(reach_of(V)) {
 
 namespace {
 
-/// The nodes that there may be.
+/// The stretch of a wall that is one closed curve.
+struct Curve {
+  double arc, perimeter;
+  bool holds(double at) const { return at >= arc && at < arc + perimeter; }
+};
+
+/// The nodes that there may be along one of its curves.
 class WallNodes {
  public:
-  WallNodes(const WallLattice& lattice, const body::Shape& wall, std::int64_t rows, double strength)
+  WallNodes(const WallLattice& lattice, const body::Shape& wall, const Curve& curve,
+            std::int64_t rows, double strength)
       : columns_(
-            std::max<std::int64_t>(least_columns, std::llround(wall.perimeter() / lattice.step))),
+            std::max<std::int64_t>(least_columns, std::llround(curve.perimeter / lattice.step))),
         rows_(rows),
-        b_(wall.perimeter() / static_cast<double>(columns_)),
+        arc_(curve.arc),
+        b_(curve.perimeter / static_cast<double>(columns_)),
         h_(lattice.step),
         core_{lattice.square},
         units_(strength),
@@ -71,7 +80,7 @@ class WallNodes {
   void lay(const WideAtWall& blob) {
     const AtWall acts = beside(blob.nearest, blob.core);
     const Covariance v = blob.core.covariance(blob.nearest.normal);
-    const double y = height(blob.nearest, v) / h_, arc = blob.nearest.arc / b_;
+    const double y = height(blob.nearest, v) / h_, arc = (blob.nearest.arc - arc_) / b_;
     // Along the wall, as far from it as the blob acts.
     const double step = b_ * std::max(1 + blob.nearest.curvature * acts.mean, 0.25);
     const auto k = static_cast<std::int64_t>(std::nearbyint(arc)),
@@ -148,7 +157,7 @@ class WallNodes {
   };
 
   void set_up_column(std::int64_t k, const body::Shape& wall) {
-    foot_[k] = wall.point(static_cast<double>(k) * b_);
+    foot_[k] = wall.point(arc_ + static_cast<double>(k) * b_);
     body::WallPoint at = wall.nearest(foot_[k]);
     normal_[k] = at.normal;
     for (std::int64_t j = 0; j < rows_; ++j) {
@@ -177,7 +186,7 @@ class WallNodes {
   }
 
   std::int64_t columns_, rows_;
-  double b_, h_;
+  double arc_, b_, h_;
   Core core_;
   CirculationUnits units_;
   std::vector<std::int64_t> sum_;
@@ -196,8 +205,10 @@ std::int64_t rows_of(const WideAtWall& blob, const WallLattice& lattice) {
 
 }  // namespace
 
-void lay_along_wall(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
-                    const WallLattice& lattice, const body::Shape& wall) {
+namespace {
+
+void lay_along_curve(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
+                     const WallLattice& lattice, const body::Shape& wall, const Curve& curve) {
   if (blobs.empty()) return;
   double strength = 0;
   std::int64_t rows = 0;
@@ -205,11 +216,30 @@ void lay_along_wall(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
     strength += std::abs(blob.gamma);
     rows = std::max(rows, rows_of(blob, lattice));
   }
-  WallNodes nodes(lattice, wall, rows, strength);
+  WallNodes nodes(lattice, wall, curve, rows, strength);
   const std::ptrdiff_t n = std::ssize(blobs);
 #pragma omp parallel for schedule(dynamic, blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) nodes.lay(blobs[i]);
   nodes.append_to(adapted);
+}
+
+}  // namespace
+
+void lay_along_wall(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
+                    const WallLattice& lattice, const body::Shape& wall) {
+  const std::vector<double> perimeters = wall.perimeters();
+  if (perimeters.size() == 1)
+    return lay_along_curve(adapted, blobs, lattice, wall, {0, perimeters[0]});
+  std::vector<WideAtWall> own;
+  double arc = 0;
+  for (const double perimeter : perimeters) {
+    const Curve curve{arc, perimeter};
+    own.clear();
+    std::ranges::copy_if(blobs, std::back_inserter(own),
+                         [&](const WideAtWall& blob) { return curve.holds(blob.nearest.arc); });
+    lay_along_curve(adapted, own, lattice, wall, curve);
+    arc += perimeter;
+  }
 }
 
 }  // namespace vortree::vortex
