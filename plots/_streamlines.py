@@ -15,20 +15,39 @@ FAINT = 1e-3  # vortices of less are not told from noise, U R
 PEN = {"colors": INK, "alpha": 0.85, "capstyle": "round", "joinstyle": "round"}
 
 
-def streamlines(axes, field, wall):
-    """Lines of equal stream function: those that come from far, the dividing ones, psi = 0, and
-    around each closed vortex some of its own, so that weak ones are seen, too.
+def streamlines(axes, field, walls):
+    """Lines of equal stream function: those that come from far, the dividing ones, psi as on a wall,
+    and around each closed vortex some of its own, so that weak ones are seen, too.
 
     field: grids in units of the body's radius, from its centre, and of the stream's speed, psi 0 on
-    the wall; wall: the body's outline.
+    the first wall and constant in each body; walls: the outlines.
     """
-    x, y, psi, dividing = refined(field, wall)
-    lines = contour_generator(x, y, psi)
+    for k, wall in enumerate(walls):
+        level = on_wall(field, wall) if k else 0
+        x, y, psi, dividing = refined({**field, "psi": field["psi"] - level}, wall)
+        lines = contour_generator(x, y, psi)
+        if k == 0:
+            draw(axes, from_far(lines, psi), 0.6)
+        own = [peak for peak in peaks(psi) if nearest((x[peak[1]], y[peak[0]]), walls) == k]
+        draw(axes, around_vortices(lines, x, y, psi, own), 0.6)
+        draw(axes, contour_generator(x, y, dividing).lines(0), 1.0)
+
+
+def from_far(lines, psi):
     ladder = np.arange(OUTSIDE / 2, np.abs(psi).max(), OUTSIDE)
-    draw(axes, [line for level in np.r_[-ladder, ladder] for line in lines.lines(level)
-                if not closes(line)], 0.6)
-    draw(axes, around_vortices(lines, x, y, psi), 0.6)
-    draw(axes, contour_generator(x, y, dividing).lines(0), 1.0)
+    return [line for level in np.r_[-ladder, ladder] for line in lines.lines(level)
+            if not closes(line)]
+
+
+def on_wall(field, wall):
+    """psi in the middle of the body, as on its wall."""
+    column, row = (np.abs(field[name] - middle).argmin()
+                   for name, middle in zip("xy", (wall.min(0) + wall.max(0)) / 2))
+    return field["psi"][row, column]
+
+
+def nearest(place, walls):
+    return np.argmin([np.hypot(*(wall - place).T).min() for wall in walls])
 
 
 def draw(axes, lines, width):
@@ -103,11 +122,11 @@ def to_segments(at, wall):
     return found
 
 
-def around_vortices(lines, x, y, psi):
+def around_vortices(lines, x, y, psi, peaks):
     """Closed lines at some shares of the psi of each vortex; of one that lies in the outskirts of a
     stronger one, none."""
     found, taken, stronger = [], [], []
-    for row, column in peaks(psi):
+    for row, column in peaks:
         centre, peak = (x[column], y[row]), psi[row, column]
         whole = next((p for p in map(Path, loops(lines, EDGE * peak)) if p.contains_point(centre)),
                      None)

@@ -4,6 +4,7 @@ import os
 import sys
 import tomllib
 from functools import cached_property
+from itertools import cycle
 from pathlib import Path
 
 import matplotlib
@@ -15,6 +16,9 @@ from matplotlib.figure import Figure
 BLUE, ORANGE, GREEN, RED, SKY, GREY = ("#0072b2", "#e69f00", "#009e73", "#d55e00", "#56b4e9",
                                        "#999999")
 INK = "#222222"
+
+EACH = ({"color": BLUE, "ls": "-"}, {"color": RED, "ls": (0, (4, 1.5))},  # of several bodies
+        {"color": GREEN, "ls": (0, (6, 1.5, 1, 1.5))}, {"color": ORANGE, "ls": (0, (1.5, 1))})
 
 matplotlib.rcParams.update({
     "figure.dpi": 150, "savefig.dpi": 150, "figure.constrained_layout.use": True,
@@ -134,10 +138,25 @@ class Run:
         """What one is called."""
         return "particle" if self.scene.get("method") == "sph" else "blob"
 
+    def columns(self, name):
+        """Of the coefficient of that name, of each body by its main route."""
+        if self.several:
+            return [f"{name}_wall_{k}" for k in self.numbers]
+        return [f"{name}_{self.route}"]
+
     def plot_routes(self, axes, name, shown):
-        """The coefficient of that name against the time of a figure, by both routes."""
+        """The coefficient of that name against the time of a figure: of one body by both routes, of
+        each of several at the wall, with their mean by the other route."""
+        if self.several:
+            return self._plot_each(axes, name, shown)
         for (route, label), (colour, width) in zip(self.routes, ((BLUE, 1.4), (ORANGE, 0.8))):
             axes.plot(*shown(f"{name}_{route}"), color=colour, lw=width, label=label)
+
+    def _plot_each(self, axes, name, shown):
+        for k, look in zip(self.numbers, cycle(EACH)):
+            axes.plot(*shown(f"{name}_wall_{k}"), lw=1.4, label=f"body {k}", **look)
+        x, total = shown(f"{name}_impulse")
+        axes.plot(x, total / len(self.bodies), color=INK, lw=0.6, label="mean of all, by impulse")
 
     @property
     def stream(self):
@@ -147,7 +166,7 @@ class Run:
     def speed(self):
         """Of the stream; without one the greatest of the body's motion, that of an initial flow that
         fills the plane, or 1, as in the program's coefficients."""
-        if {"body", "motion"} <= set(self.scene):
+        if self.bodies and any("motion" in moved for moved in (self.scene, *self.bodies)):
             return self.report["T"][0] / self.report["t"][0] * self.body[0]
         plunge = self.scene.get("plunge", {"amplitude": 0, "frequency": 0})
         fastest = 2 * np.pi * plunge["frequency"] * plunge["amplitude"]
@@ -155,17 +174,49 @@ class Run:
         return float(np.hypot(*self.stream)) or fastest or initial
 
     @property
+    def bodies(self):
+        """What the scene says of each, in a list."""
+        told = self.scene.get("body", [])
+        return told if isinstance(told, list) else [told]
+
+    @property
+    def several(self):
+        return len(self.bodies) > 1
+
+    @property
+    def numbers(self):
+        """Of the bodies, as in the names of columns."""
+        return range(1, len(self.bodies) + 1)
+
+    @property
     def body(self):
-        """(radius, centre) of the body, the radius half of its length D; Nothing in free space."""
-        if "body" not in self.scene:
+        """(radius, centre) of the body, or the first, the radius half of its length D; Nothing in
+        free space."""
+        if not self.bodies:
             raise Nothing
         length, _ = self._outline
-        return length / 2, np.array(self.scene["body"].get("centre", [0, 0]))
+        return length / 2, np.array(self.bodies[0].get("centre", [0, 0]))
+
+    @property
+    def single_body(self):
+        """The same, of what is told of a single body only: Nothing beside several."""
+        if self.several:
+            raise Nothing
+        return self.body
 
     @property
     def outline(self):
         """x and y of the body's closed outline, from its centre."""
         return self._outline[1]
+
+    @property
+    def outlines(self):
+        """The same of each body, from the centre of the first."""
+        table = self.outline
+        if not self.several:
+            return [table]
+        rows = [table["body"] == k for k in self.numbers]
+        return [{name: table[name][some] for name in ("x", "y")} for some in rows]
 
     def angle(self, time):
         """By which the body is turned then, anticlockwise, in radians."""

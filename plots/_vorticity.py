@@ -12,13 +12,13 @@ def in_units(fields, length=1.0, centre=(0.0, 0.0), speed=1.0):
              **({"psi": f["psi"] / (speed * length)} if "psi" in f else {})} for f in fields]
 
 
-def scale(fields):
+def scale(fields, bodies=(((0, 0), 1),)):
     """Where the colours end. The thin layers at the wall go far beyond: the scale serves the wake,
-    0.7 of the typical peak away from the wall."""
+    0.7 of the typical peak away from bodies, told by centre and half their length."""
     peaks = []
     for field in fields:
-        X, Y = np.meshgrid(field["x"], field["y"])
-        peaks.append(np.abs(field["omega"][np.hypot(X, Y) > 1.25]).max(initial=0))
+        away = np.all([np.hypot(*grid(field, *body)) > 1.25 for body in bodies], axis=0)
+        peaks.append(np.abs(field["omega"][away]).max(initial=0))
     most = 0.7 * np.median(peaks)
     if not 0 < most < np.inf:
         raise Nothing
@@ -31,15 +31,22 @@ def rounded(most):
     return float(steps[steps >= most * (1 - 1e-9)][0])
 
 
-def vorticity(axes, field, circle, paint):
+def grid(field, centre, radius):
+    """Its places as seen from there, in that unit."""
+    return np.meshgrid((field["x"] - centre[0]) / radius, (field["y"] - centre[1]) / radius)
+
+
+def vorticity(axes, field, circles, paint):
+    """Beside circles, told by centre and radius, the values go on inside, so that no pale seam runs
+    along the wall."""
     x, y, omega = field["x"], field["y"], field["omega"].copy()
-    if circle:  # the values beside the wall go on inside, so that no pale seam runs along it
-        X, Y = np.meshgrid(x, y)
+    for circle in circles:
+        X, Y = grid(field, *circle)
         r = np.hypot(X, Y)
         j, i = np.nonzero((r < 1.02) & (r > 0.8))
         out = 2.06 / r[j, i] - 1
-        omega[j, i] = omega[np.abs(y[:, None] - out * Y[j, i]).argmin(0),
-                            np.abs(x[:, None] - out * X[j, i]).argmin(0)]
+        omega[j, i] = omega[np.abs(Y[:, :1] - out * Y[j, i]).argmin(0),
+                            np.abs(X[:1].T - out * X[j, i]).argmin(0)]
     dx, dy = x[1] - x[0], y[1] - y[0]
     return axes.imshow(omega, origin="lower", **paint,
                        extent=(x[0] - dx / 2, x[-1] + dx / 2, y[0] - dy / 2, y[-1] + dy / 2),

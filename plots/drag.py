@@ -1,4 +1,5 @@
-"""The drag keeps to the reference, by both routes: rate of change of impulse, and wall sheet."""
+"""The drag keeps to the reference, by both routes: rate of change of impulse, and wall sheet; or that
+of each of several bodies."""
 
 import numpy as np
 from _style import BLUE, INK, ORANGE, Nothing, figure, interpolated, main, rms
@@ -6,7 +7,7 @@ from _style import BLUE, INK, ORANGE, Nothing, figure, interpolated, main, rms
 
 def draw(run):
     run.body
-    report, reference = run.report, run.reference("drag_reference")
+    report, reference = run.report, None if run.several else run.reference("drag_reference")
     start = run.check.get("drag_from", 0.3)  # T; before, C_D comes down from infinity
     shown = report["T"] >= start - 1e-9
     T = report["T"][shown]
@@ -16,8 +17,11 @@ def draw(run):
     top, bottom = (fig.subplots(2, 1, sharex=True, height_ratios=[2.2, 1]) if reference
                    else (fig.subplots(), None))
     drag = {name: report[f"cd_{route}"][shown] for route, name in run.routes}
-    for (name, values), (colour, width) in zip(drag.items(), ((BLUE, 1.8), (ORANGE, 1.0))):
-        top.plot(T, values, color=colour, lw=width, label=name)
+    if run.several:
+        run.plot_routes(top, "cd", lambda column: (T, report[column][shown]))
+    else:
+        for (name, values), (colour, width) in zip(drag.items(), ((BLUE, 1.8), (ORANGE, 1.0))):
+            top.plot(T, values, color=colour, lw=width, label=name)
     top.set_ylabel("drag coefficient  $C_D = 2F_x\\,/\\,(\\rho U^2 D)$")
     (bottom or top).set_xlabel("time  $T = Ut/R$")
     top.set_xlim(start, T[-1])

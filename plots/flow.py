@@ -2,7 +2,7 @@
 
 import numpy as np
 from _colours import COLOURS, UPPER
-from _outline import is_circle, outline
+from _outline import circles, discs, outline, walls
 from _streamlines import integrated_streamlines, streamlines
 from _style import Nothing, figure, main
 from _vorticity import in_units, rounded, scale, vorticity
@@ -13,9 +13,9 @@ MOST = 4  # panels
 
 def draw(run):
     body = "body" in run.scene
-    circle = body and is_circle(run)
+    round_ones = circles(run) if body else []
     fields = scaled(run, body)
-    paint, most = colours(fields, body)
+    paint, most = colours(fields, discs(run) if body else [])
     boxes = windows(fields, body, 0.02 * most)
     tall = (boxes[0][3] - boxes[0][2]) / (boxes[0][1] - boxes[0][0])
     shared = boxes[0] is boxes[-1]
@@ -24,12 +24,12 @@ def draw(run):
     fig = figure(11.0, 0.6 + rows * (0.45 + tall * 9.2 / max(columns, 2)), run.scene.get("title"))
     grid = fig.subplots(rows, columns, sharex=shared, sharey=shared, squeeze=False)
     for axes, field, box in zip(grid.flat, fields, boxes):
-        picture = vorticity(axes, field, circle, paint)
+        picture = vorticity(axes, field, round_ones, paint)
         even = not {"plunge", "initial"} & set(run.scene)  # on both sides of the stream
         closed = run.stream.any() and "strouhal" not in run.check and even
         if body and closed and "psi" in field:  # closed wakes only
-            streamlines(axes, field, outline(run).get_xy())
-        elif circle and closed:
+            streamlines(axes, field, walls(run))
+        elif len(round_ones) == 1 and closed:
             integrated_streamlines(axes, field, run.stream / run.speed)
         if body:
             axes.add_patch(outline(run, field["time"] * run.body[0] / run.speed))
@@ -75,10 +75,10 @@ def scaled(run, body):
     return in_units(fields, length, centre, speed)
 
 
-def colours(fields, body):
+def colours(fields, bodies):
     """The look of the pictures, and the largest vorticity that it tells apart."""
-    if body:
-        clip = scale(fields)
+    if bodies:
+        clip = scale(fields, bodies)
         return {"cmap": COLOURS, "vmin": -clip, "vmax": clip}, clip
     for field in relative(fields):
         if not 0 < np.abs(field["omega"]).max(initial=0) < np.inf:

@@ -1,4 +1,5 @@
-"""Lift and drag in time by both routes, and what is known of them: a reference, or the means."""
+"""Lift and drag in time by both routes, or of each of several bodies, and what is known of them: a
+reference, or the means."""
 
 import numpy as np
 from _style import GREY, INK, Nothing, figure, interpolated, main, note, rms
@@ -8,7 +9,7 @@ KNOWN = {"lift": "C_L", "drag": "C_D"}  # columns of a reference
 
 def draw(run):
     check = run.check
-    asked = {"mean_lift", "lift_routes_max", "lift_reference"} & set(check)
+    asked = {"mean_lift", "lift_routes_max", "lift_reference"} & set(check) or run.several
     if not asked or "strouhal" in check:
         raise Nothing
     run.body
@@ -28,12 +29,12 @@ def panel(axes, run, force, T, shown):
     short = f"c{force[0]}"
     run.plot_routes(axes, short, lambda column: (T[shown], run.report[column][shown]))
     axes.set_ylabel(f"{force}  ${KNOWN[force]}$")
-    if f"mean_{force}" in run.check:
+    if f"mean_{force}" in run.check and not run.several:
         mean(axes, run.check, f"mean_{force}", T, run.report[f"{short}_{run.route}"])
-    reference = run.reference(f"{force}_reference")
+    reference = None if run.several else run.reference(f"{force}_reference")
     if reference:
         compare(axes, reference["T"], reference[KNOWN[force]], force)
-    axes.legend(loc="upper right", ncol=1 if reference else 2)
+    axes.legend(loc="upper right", ncol=1 if reference else max(2, len(axes.lines)))
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + (0.3 if reference else 0.15) * (high - low))
 

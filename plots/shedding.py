@@ -1,7 +1,9 @@
 """A wake that sheds vortices: drag and lift in time, and the spectrum of the lift."""
 
+from itertools import cycle
+
 import numpy as np
-from _style import BLUE, GREY, INK, Nothing, figure, main, note
+from _style import EACH, GREY, INK, Nothing, figure, main, note
 
 
 def draw(run):
@@ -24,29 +26,46 @@ def draw(run):
         axes.axvspan(t[late][0], t[-1], color="#f4f4f4", lw=0)
         run.plot_routes(axes, name, lambda column: (t[shown], report[column][shown]))
         axes.set_ylabel(label)
-    mean = report[f"cd_{run.route}"][late].mean()
-    wanted, off = check.get("mean_drag"), check.get("mean_drag_max", 0)
-    if wanted:
-        drag.axhspan(wanted * (1 - off), wanted * (1 + off), color=GREY, alpha=0.35, lw=0)
-    note(drag, f"mean over the grey part {mean:.3f}"
-         + (f" (asked {wanted * (1 - off):.2f} to {wanted * (1 + off):.2f})" if wanted else ""))
-    settled = report[f"cd_{run.route}"][T >= 10]
-    low, high = settled.min(), settled.max()
+    means = [report[column][late].mean() for column in run.columns("cd")]
+    asked, off = asked_drag(run)
+    for wanted in asked:
+        drag.axhspan(wanted - off, wanted + off, color=GREY, alpha=0.35, lw=0)
+    note(drag, "\n".join(words(means, asked, off)))
+    settled = [report[column][T >= 10] for column in run.columns("cd")]
+    low, high = np.min(settled), np.max(settled)
     drag.set_ylim(low - 0.2 * (high - low), high + 0.6 * (high - low))
-    drag.legend(loc="lower right", ncol=2)
+    drag.legend(loc="lower right", ncol=len(drag.lines))
     lift.set_xlabel("time  $tU/D$")
     lift.set_xlim(t[0], t[-1])
 
-    frequency, power = periodogram(report[f"cl_{run.route}"][late], t[1] - t[0])
-    spectrum.semilogy(frequency, power / power.max(), color=BLUE)
-    peak = highest(frequency, power)
+    found = [periodogram(report[column][late], t[1] - t[0]) for column in run.columns("cl")]
+    for (frequency, power), look in zip(found, cycle(EACH)):
+        spectrum.semilogy(frequency, power / power.max(), **look)
+    peaks = [highest(*one) for one in found]
     spectrum.axvline(check["strouhal"], color=INK, lw=0.9, ls=(0, (5, 3)),
                      label=f"asked {check['strouhal']}")
-    spectrum.set(xlim=(0, 4 * peak), ylim=(1e-8, 3), xlabel="frequency  $fD/U$",
+    spectrum.set(xlim=(0, 4 * peaks[0]), ylim=(1e-8, 3), xlabel="frequency  $fD/U$",
                  ylabel="power of the lift, of its peak")
     spectrum.legend(loc="upper right")
-    note(spectrum, f"peak at {peak:.4f}", y=0.86)
+    note(spectrum, "\n".join(f"peak at {peak:.4f}" for peak in peaks), y=0.86)
     return fig
+
+
+def asked_drag(run):
+    """Of each body, and how far off it may be."""
+    if run.several:
+        asked = run.check.get("mean_drag_each", [])
+        return asked, run.check.get("mean_drag_each_max", 0) * max(np.abs(asked), default=0)
+    asked = [run.check["mean_drag"]] if "mean_drag" in run.check else []
+    return asked, run.check.get("mean_drag_max", 0) * sum(asked)
+
+
+def words(means, asked, off):
+    """Of each body, where there are several."""
+    for k, mean in enumerate(means):
+        which = f" of body {k + 1}:" if len(means) > 1 else ""
+        yield f"mean over the grey part{which} {mean:.3f}" + (
+            f" (asked {asked[k] - off:.2f} to {asked[k] + off:.2f})" if asked else "")
 
 
 def highest(frequency, power):

@@ -2,7 +2,7 @@
 
 import numpy as np
 from _colours import COLOURS
-from _outline import is_circle, outline
+from _outline import circles, outline
 from _style import figure, main
 from _sweep import WORDS, by_method, of_last_frame, title
 from _vorticity import in_units, scale, vorticity
@@ -56,7 +56,7 @@ def side_by_side(fig, row, words, runs, methods):
     for axes, method in zip(row, methods):
         run = runs[method]
         field = last_field(run)
-        picture = vorticity(axes, field, is_circle(run),
+        picture = vorticity(axes, field, circles(run),
                             {"cmap": COLOURS, "vmin": -most, "vmax": most})
         axes.set_title(f"{WORDS.get(method, method)},  {words},  $T = {field['time']:.3g}$")
     scale_bar(fig, row, picture)

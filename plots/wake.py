@@ -17,7 +17,7 @@ PANELS = (
 
 
 def draw(run):
-    run.body
+    run.single_body
     if is_slender(run) or "strouhal" in run.check:
         raise Nothing  # no closed wake
     report, reference = run.report, run.reference("drag_reference")

@@ -7,7 +7,7 @@ SHARED = 0.02  # in T
 
 
 def draw(run):
-    radius, _ = run.body
+    radius, _ = run.single_body
     wall, reference = read_csv(run.file("wall.csv")), run.reference("wall_vorticity_reference")
     if reference is None:
         raise Nothing
