@@ -123,6 +123,11 @@ class Run:
         return self.scene.get("check", {})
 
     @property
+    def sheds(self):
+        """Vortices, by which the wake is checked."""
+        return bool({"strouhal", "mean_drag_each"} & set(self.check))
+
+    @property
     def route(self):
         """By which route the coefficients are told; the other one is a check."""
         return "wall" if self.scene.get("method") == "sph" else "impulse"

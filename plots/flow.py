@@ -26,7 +26,7 @@ def draw(run):
     for axes, field, box in zip(grid.flat, fields, boxes):
         picture = vorticity(axes, field, round_ones, paint)
         even = not {"plunge", "initial"} & set(run.scene)  # on both sides of the stream
-        closed = run.stream.any() and "strouhal" not in run.check and even
+        closed = run.stream.any() and not run.sheds and even
         if body and closed and "psi" in field:  # closed wakes only
             streamlines(axes, field, walls(run))
         elif len(round_ones) == 1 and closed:

@@ -10,7 +10,7 @@ KNOWN = {"lift": "C_L", "drag": "C_D"}  # columns of a reference
 def draw(run):
     check = run.check
     asked = {"mean_lift", "lift_routes_max", "lift_reference"} & set(check) or run.several
-    if not asked or "strouhal" in check:
+    if not asked or run.sheds:
         raise Nothing
     run.body
     T = run.report["T"]

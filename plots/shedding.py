@@ -8,7 +8,7 @@ from _style import EACH, GREY, INK, Nothing, figure, main, note
 
 def draw(run):
     check = run.check
-    if "strouhal" not in check:
+    if not run.sheds:
         raise Nothing
     radius, _ = run.body
     report, start = run.report, check.get("shedding_from", 0.0)
@@ -42,11 +42,12 @@ def draw(run):
     for (frequency, power), look in zip(found, cycle(EACH)):
         spectrum.semilogy(frequency, power / power.max(), **look)
     peaks = [highest(*one) for one in found]
-    spectrum.axvline(check["strouhal"], color=INK, lw=0.9, ls=(0, (5, 3)),
-                     label=f"asked {check['strouhal']}")
+    if "strouhal" in check:
+        spectrum.axvline(check["strouhal"], color=INK, lw=0.9, ls=(0, (5, 3)),
+                         label=f"asked {check['strouhal']}")
+        spectrum.legend(loc="upper right")
     spectrum.set(xlim=(0, 4 * peaks[0]), ylim=(1e-8, 3), xlabel="frequency  $fD/U$",
                  ylabel="power of the lift, of its peak")
-    spectrum.legend(loc="upper right")
     note(spectrum, "\n".join(f"peak at {peak:.4f}" for peak in peaks), y=0.86)
     return fig
 

@@ -18,7 +18,7 @@ PANELS = (
 
 def draw(run):
     run.single_body
-    if is_slender(run) or "strouhal" in run.check:
+    if is_slender(run) or run.sheds:
         raise Nothing  # no closed wake
     report, reference = run.report, run.reference("drag_reference")
     if reference and not {listed for _, listed, *_ in PANELS} <= set(reference):

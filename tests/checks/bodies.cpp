@@ -213,6 +213,41 @@ TEST_CASE("a wake that sheds has its frequency and its means, from a hundred row
   CHECK_FALSE(drag.verdict(99).reached.value);
 }
 
+TEST_CASE("of several bodies each has its means, and its lift a frequency, a size and a phase") {
+  const auto wave = [](double mean, double size = 1, double ahead_deg = 0, double frequency = 0.2) {
+    return [=](double t) {
+      return mean + size * std::cos(2 * pi * frequency * t + ahead_deg * pi / 180);
+    };
+  };
+  const auto pair = [&](const std::string& known, const std::string& most) {
+    MadeUpRun run(pair_by_hand, {"check." + known, "check." + most});
+    run.with("cl_wall_1", wave(0.1)).with("cl_wall_2", wave(-0.1, 0.5, 170));
+    run.with("cd_wall_1", wave(1.5)).with("cd_wall_2", wave(-0.3, 0.2));
+    return run;
+  };
+  // 1000 rows are 10 periods.
+  MadeUpRun drag = pair("mean_drag_each=[1.5,-0.3]", "mean_drag_each_max=0.03");
+  CHECK(*drag.verdict(1000).reached.value < 1e-12);
+  CHECK(*drag.with("cd_wall_2", wave(-0.33)).verdict(1000).reached.value == Approx(0.02));
+  CHECK(drag.with("cd_wall_2", wave(-0.36)).verdict(1000).missed());
+  CHECK(drag.with("cd_wall_2", NAN).verdict(1000).missed());
+  CHECK(drag.verdict(99).reached.why == "the run ends at T = 9.9");
+  MadeUpRun lift = pair("mean_lift_each=[0.1,-0.1]", "mean_lift_each_max=0.2");
+  CHECK(lift.verdict(1000).passed());
+  CHECK(lift.with("cl_wall_1", wave(-0.1)).verdict(1000).missed());
+  MadeUpRun size = pair(fmt::format("lift_rms_each=[{},{}]", std::sqrt(0.5), std::sqrt(0.125)),
+                        "lift_rms_each_max=0.02");
+  CHECK(size.verdict(1000).passed());
+  CHECK(size.with("cl_wall_2", wave(-0.1, 0.6)).verdict(1000).missed());
+  MadeUpRun phase = pair("lift_phases_deg=[-178]", "lift_phases_max_deg=15");
+  CHECK(*phase.verdict(1000).reached.value == Approx(12).margin(0.1));
+  CHECK(phase.with("cl_wall_2", wave(0, 1, 160)).verdict(1000).missed());
+  CHECK(phase.with("cl_wall_2", wave(0, 1, -170)).verdict(1000).passed());
+  MadeUpRun strouhal = pair("strouhal=0.2", "strouhal_max=0.03");
+  CHECK(strouhal.with("cl_impulse", wave(0, 1, 0, 0.4)).verdict(1000).passed());
+  CHECK(strouhal.with("cl_wall_2", wave(0, 1, 0, 0.21)).verdict(1000).missed());
+}
+
 TEST_CASE("wall vorticity is held against a reference at the times of frames") {
   std::string reference = "T,theta_deg,omega_R_over_U\n", wall = "t,T,angle_deg,vorticity,sheet\n";
   for (const double T : {0.5, 1.0, 9.0})

@@ -20,6 +20,26 @@ dt = 0.05
 end = 10
 )";
 
+/// Two of them, one above the other.
+inline const std::string pair_by_hand = R"(
+[flow]
+nu = 0.01
+stream = [1.0, 0.0]
+[[body]]
+radius = 0.5
+panels = 16
+[[body]]
+radius = 0.5
+panels = 16
+centre = [0.0, 3.0]
+[cores]
+sigma_0 = 0.05
+sigma_max = 0.1
+[time]
+dt = 0.05
+end = 10
+)";
+
 /// The same body, Re = 100, its settings chosen.
 inline const std::string cylinder_by_accuracy = R"(
 accuracy = 0.04

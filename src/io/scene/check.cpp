@@ -31,8 +31,14 @@ bool drag(const Scene& s) {
 bool lift(const Scene& s) {
   return s.body && s.check.lift_reference;
 }
+bool single(const Scene& s) {
+  return s.body && s.others.empty();
+}
+bool wake(const Scene& s) {
+  return single(s) && s.check.drag_reference;
+}
 bool wall(const Scene& s) {
-  return s.body && s.check.wall_vorticity_reference;
+  return single(s) && s.check.wall_vorticity_reference;
 }
 bool moments(const Scene& s) {
   return s.check.moments_reference.has_value();
@@ -41,7 +47,7 @@ bool at_rest(const Scene& s) {
   return s.plunge && s.flow.stream == Pair{0, 0};
 }
 bool started(const Scene& s) {
-  return s.body && body::round(*s.body) && !s.plunge && !s.motion && !s.initial &&
+  return single(s) && body::round(*s.body) && !s.plunge && !s.motion && !s.initial &&
          s.flow.stream != Pair{0, 0};
 }
 bool in_stream(const Scene& s) {
@@ -65,6 +71,10 @@ template <std::optional<double> CheckSettings::*known>
 bool beside(const Scene& s) {
   return s.body && s.check.*known;
 }
+template <std::optional<std::vector<double>> CheckSettings::*known>
+bool beside_each(const Scene& s) {
+  return !s.others.empty() && s.check.*known;
+}
 
 struct Prerequisite {
   std::string_view key;
@@ -79,15 +89,16 @@ constexpr std::string_view lift_reference = "[body] and check.lift_reference";
 constexpr std::string_view known_field = "check.exact = \"lamb_oseen\" or \"spinning_cylinder\"";
 constexpr std::string_view known_vortices = "check.exact = \"taylor_green\"";
 constexpr std::string_view no_end = "a flow that does not fill the plane";
-constexpr std::string_view wall_reference = "[body] and check.wall_vorticity_reference";
+constexpr std::string_view wake_reference = "a single [body] and check.drag_reference";
+constexpr std::string_view wall_reference = "a single [body] and check.wall_vorticity_reference";
 
 constexpr Prerequisite needs[] = {
     {"drag_max", &C::drag_max, drag, reference},
     {"drag_rms", &C::drag_rms, drag, reference},
     {"early_drag_max", &C::early_drag_max, started,
-     "a circle at rest in a flow.stream, and no [initial]"},
-    {"bubble_max", &C::bubble_max, drag, reference},
-    {"separation_max_deg", &C::separation_max_deg, drag, reference},
+     "a single circle at rest in a flow.stream, and no [initial]"},
+    {"bubble_max", &C::bubble_max, wake, wake_reference},
+    {"separation_max_deg", &C::separation_max_deg, wake, wake_reference},
     {"wall_vorticity_max", &C::wall_vorticity_max, wall, wall_reference},
     {"wall_vorticity_rms", &C::wall_vorticity_rms, wall, wall_reference},
     {"lift_error_max", &C::lift_error_max, lift, lift_reference},
@@ -98,6 +109,14 @@ constexpr Prerequisite needs[] = {
     {"strouhal_max", &C::strouhal_max, beside<&C::strouhal>, "[body] and check.strouhal"},
     {"mean_drag_max", &C::mean_drag_max, beside<&C::mean_drag>, "[body] and check.mean_drag"},
     {"mean_lift_max", &C::mean_lift_max, beside<&C::mean_lift>, "[body] and check.mean_lift"},
+    {"mean_drag_each_max", &C::mean_drag_each_max, beside_each<&C::mean_drag_each>,
+     "several bodies and check.mean_drag_each"},
+    {"mean_lift_each_max", &C::mean_lift_each_max, beside_each<&C::mean_lift_each>,
+     "several bodies and check.mean_lift_each"},
+    {"lift_rms_each_max", &C::lift_rms_each_max, beside_each<&C::lift_rms_each>,
+     "several bodies and check.lift_rms_each"},
+    {"lift_phases_max_deg", &C::lift_phases_max_deg, beside_each<&C::lift_phases_deg>,
+     "several bodies and check.lift_phases_deg"},
     {"morison_drag_max", &C::morison_drag_max, beside<&C::morison_drag>,
      "[body] and check.morison_drag"},
     {"morison_mass_max", &C::morison_mass_max, beside<&C::morison_mass>,
@@ -135,6 +154,22 @@ constexpr Known knowns[] = {{"strouhal", &C::strouhal, &C::strouhal_max},
                             {"mean_lift", &C::mean_lift, &C::mean_lift_max},
                             {"morison_drag", &C::morison_drag, &C::morison_drag_max},
                             {"morison_mass", &C::morison_mass, &C::morison_mass_max}};
+
+/// The same of each of several bodies, or of each but the first.
+struct KnownOfEach {
+  std::string_view key;
+  std::optional<std::vector<double>> CheckSettings::*known;
+  std::string_view bound;
+  std::optional<double> CheckSettings::*asked;
+  bool first = true;
+};
+
+constexpr KnownOfEach knowns_of_each[] = {
+    {"mean_drag_each", &C::mean_drag_each, "mean_drag_each_max", &C::mean_drag_each_max},
+    {"mean_lift_each", &C::mean_lift_each, "mean_lift_each_max", &C::mean_lift_each_max},
+    {"lift_rms_each", &C::lift_rms_each, "lift_rms_each_max", &C::lift_rms_each_max},
+    {"lift_phases_deg", &C::lift_phases_deg, "lift_phases_max_deg", &C::lift_phases_max_deg,
+     false}};
 
 /// A column of a reference; who asks for one alone has it read for that only.
 struct ReferenceColumn {
@@ -203,6 +238,21 @@ void require_reference(const Document& document, const Scene& scene, const Refer
   }
 }
 
+/// As many numbers as there are bodies to be told of, and how far off they may be.
+void require_each(const Document& document, const Scene& scene, const KnownOfEach& known) {
+  const std::optional<std::vector<double>>& written = scene.check.*known.known;
+  if (!written) return;
+  const std::string key = fmt::format("check.{}", known.key);
+  if (!(scene.check.*known.asked))
+    document.refuse(key, fmt::format("{} is written; that needs check.{}, how far off it may be",
+                                     key, known.bound));
+  const std::size_t bodies = scene.others.size() + 1, expected = bodies - (known.first ? 0 : 1);
+  if (bodies > 1 && written->size() != expected)
+    document.refuse(
+        key, fmt::format("{} is a list of {}; a number of each of {} bodies{} was expected", key,
+                         written->size(), bodies, known.first ? "" : " but the first"));
+}
+
 }  // namespace
 
 void check_asked(const Document& document, const Scene& scene) {
@@ -218,6 +268,7 @@ void check_asked(const Document& document, const Scene& scene) {
       document.refuse(key, fmt::format("{} is {}; that needs {}_max, how far off it may be", key,
                                        *(scene.check.*known.known), key));
     }
+  for (const KnownOfEach& known : knowns_of_each) require_each(document, scene, known);
   for (const Reference& reference : references) require_reference(document, scene, reference);
 }
 
@@ -236,6 +287,11 @@ Key from(std::string_view name, Number& target, std::string says) {
 }
 
 Key file(std::string_view name, std::optional<std::string>& target, std::string says) {
+  return key(name, target, anything, "", std::move(says));
+}
+
+/// A number of each of several bodies.
+Key each(std::string_view name, std::optional<std::vector<double>>& target, std::string says) {
   return key(name, target, anything, "", std::move(says));
 }
 
@@ -334,7 +390,8 @@ std::vector<Key> of_periodic_flow(CheckSettings& c) {
 std::vector<Key> of_shedding(CheckSettings& c) {
   return {
       key("strouhal", c.strouhal, positive, "",
-          "of a wake that sheds: the highest peak of the lift's spectrum, times D/U"),
+          "of a wake that sheds: the highest peak of the lift's spectrum, times D/U; of several "
+          "bodies that of each, and the farthest off counts"),
       most("strouhal_max", c.strouhal_max, "deviation from `check.strouhal`, relative"),
       key("mean_drag", c.mean_drag, positive, "",
           "of a wake that sheds, or past a body that plunges: mean drag, by impulse or by SPH at "
@@ -343,6 +400,21 @@ std::vector<Key> of_shedding(CheckSettings& c) {
       key("mean_lift", c.mean_lift, anything, "", "of a wake that sheds: mean lift, likewise"),
       most("mean_lift_max", c.mean_lift_max,
            "deviation from `check.mean_lift`, relative; as it is if that is 0"),
+      each("mean_drag_each", c.mean_drag_each, "mean drag of each of several bodies, at the wall"),
+      most("mean_drag_each_max", c.mean_drag_each_max,
+           "deviation from `check.mean_drag_each`, relative to the largest of them"),
+      each("mean_lift_each", c.mean_lift_each, "mean lift, likewise"),
+      most("mean_lift_each_max", c.mean_lift_each_max,
+           "deviation from `check.mean_lift_each`, likewise; as it is if all are 0"),
+      each("lift_rms_each", c.lift_rms_each,
+           "root mean square of what the lift of each differs from its mean"),
+      most("lift_rms_each_max", c.lift_rms_each_max,
+           "deviation from `check.lift_rms_each`, relative to the largest of them"),
+      key("lift_phases_deg", c.lift_phases_deg, anything, "degrees",
+          "by how much the lift of each body but the first is ahead of that of the first, at the "
+          "frequency of that"),
+      key("lift_phases_max_deg", c.lift_phases_max_deg, positive, "degrees",
+          "deviation from `check.lift_phases_deg`, the short way around"),
       from("shedding_from", c.shedding_from, "the wake counts from this T on, 0 if not written")};
 }
 

@@ -64,6 +64,10 @@ struct CheckSettings {
   std::optional<double> strouhal{}, strouhal_max{};
   std::optional<double> mean_drag{}, mean_drag_max{};
   std::optional<double> mean_lift{}, mean_lift_max{};
+  std::optional<std::vector<double>> mean_drag_each{}, mean_lift_each{}, lift_rms_each{};
+  std::optional<double> mean_drag_each_max{}, mean_lift_each_max{}, lift_rms_each_max{};
+  std::optional<std::vector<double>> lift_phases_deg{};
+  std::optional<double> lift_phases_max_deg{};
   std::optional<double> shedding_from{};
   std::optional<double> morison_drag{}, morison_drag_max{}, morison_mass{}, morison_mass_max{};
   std::optional<double> theodorsen_max{}, plunge_from{};

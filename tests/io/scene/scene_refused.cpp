@@ -61,6 +61,27 @@ TEST_CASE("what is known of a wake is refused without how far off it may be") {
                EndsWith("that needs check." + key + "_max, how far off it may be"));
 }
 
+TEST_CASE("what is known of each of several bodies is one number each, and how far off it may be") {
+  const std::string alone =
+      "[flow]\nnu = 1e-2\nstream = [1, 0]\n[cores]\nsigma_0 = 0.05\nsigma_max = 0.1\n"
+      "[time]\ndt = 0.01\nend = 2\n[[body]]\nradius = 0.5\n";
+  const std::string pair = alone + "[[body]]\nradius = 0.5\ncentre = [0, 2]\n";
+  for (const std::string key : {"mean_drag_each", "mean_lift_each", "lift_rms_each"}) {
+    const std::string name = "check." + key, bound = name + "_max=0.1";
+    CHECK_THAT(refused(pair, {name + "=[1,2]"}),
+               EndsWith("that needs " + name + "_max, how far off it may be"));
+    CHECK_THAT(refused(pair, {bound}), EndsWith("that needs several bodies and " + name));
+    CHECK_THAT(refused(alone, {name + "=[1]", bound}),
+               EndsWith("that needs several bodies and " + name));
+    CHECK_THAT(refused(pair, {name + "=[1]", bound}),
+               EndsWith(name + " is a list of 1; a number of each of 2 bodies was expected"));
+    CHECK_NOTHROW(parse(pair, {name + "=[1,2]", bound}));
+  }
+  CHECK_THAT(refused(pair, {"check.lift_phases_deg=[0,180]", "check.lift_phases_max_deg=5"}),
+             EndsWith("is a list of 2; a number of each of 2 bodies but the first was expected"));
+  CHECK_NOTHROW(parse(pair, {"check.lift_phases_deg=[180]", "check.lift_phases_max_deg=5"}));
+}
+
 TEST_CASE("a value out of its range is refused with the range") {
   const auto extra = [](const std::string& lines) { return refused(plain + lines); };
   CHECK(refused(with("1e-3", "-0.001")) ==
@@ -314,8 +335,10 @@ TEST_CASE("what a check asks has something that it is held against, or is refuse
   const auto asked = [](const std::string& scene, const std::string& key) {
     return refused(scene, {"check." + key + "=0.01"});
   };
-  for (const char* key : {"drag_max", "drag_rms", "bubble_max", "separation_max_deg"})
+  for (const char* key : {"drag_max", "drag_rms"})
     CHECK_THAT(asked(body, key), EndsWith("that needs [body] and check.drag_reference"));
+  for (const char* key : {"bubble_max", "separation_max_deg"})
+    CHECK_THAT(asked(body, key), EndsWith("that needs a single [body] and check.drag_reference"));
   for (const char* key : {"lift_error_max", "lift_error_rms"})
     CHECK_THAT(asked(body, key), EndsWith("that needs [body] and check.lift_reference"));
   CHECK(asked(body, "strouhal_max") ==
@@ -337,8 +360,12 @@ TEST_CASE("what a check asks has something that it is held against, or is refuse
   for (std::vector<std::string> words : unlike) {
     words.push_back("check.early_drag_max=0.01");
     CHECK_THAT(refused(body, words),
-               EndsWith("that needs a circle at rest in a flow.stream, and no [initial]"));
+               EndsWith("that needs a single circle at rest in a flow.stream, and no [initial]"));
   }
+  const std::string pair = std::string(body).replace(body.find("[body]"), 20, "") +
+                           "[[body]]\nradius = 0.5\n[[body]]\nradius = 0.5\ncentre = [0, 2]\n";
+  for (const char* key : {"early_drag_max", "bubble_max", "wall_vorticity_max"})
+    CHECK_THAT(asked(pair, key), Contains("that needs a single "));
   CHECK(parse(body, {"check.early_drag_max=0.01"}).check.early_drag_max == 0.01);
   CHECK(parse(plain, {"check.energy_max=0.01"}).check.energy_max == 0.01);
   CHECK(parse(body, {"check.lift_max=0.01"}).check.lift_max == 0.01);
