@@ -1,5 +1,5 @@
-"""The outline of a body, or of several, as a patch in units of half the length of the first, from its
-centre."""
+"""The outline of a body, or of several, as a patch in units of half the length of the first, from
+its centre."""
 
 import numpy as np
 from _style import INK

@@ -16,8 +16,8 @@ PEN = {"colors": INK, "alpha": 0.85, "capstyle": "round", "joinstyle": "round"}
 
 
 def streamlines(axes, field, walls):
-    """Lines of equal stream function: those that come from far, the dividing ones, psi as on a wall,
-    and around each closed vortex some of its own, so that weak ones are seen, too.
+    """Lines of equal stream function: those that come from far, the dividing ones, psi as on a
+    wall, and around each closed vortex some of its own, so that weak ones are seen, too.
 
     field: grids in units of the body's radius, from its centre, and of the stream's speed, psi 0 on
     the first wall and constant in each body; walls: the outlines.

@@ -1,5 +1,5 @@
-"""The drag keeps to the reference, by both routes: rate of change of impulse, and wall sheet; or that
-of each of several bodies."""
+"""The drag keeps to the reference, by both routes: rate of change of impulse, and wall sheet; or
+that of each of several bodies."""
 
 import numpy as np
 from _style import BLUE, INK, ORANGE, Nothing, figure, interpolated, main, rms

@@ -16,7 +16,8 @@ std::vector<double> power_spectrum(std::span<const double> samples);
 /// error  a hundredth of 1/(n dt) for a lone sinusoid of more than four periods
 double dominant_frequency(std::span<const double> samples, double dt);
 
-/// By how much a signal is ahead of another of as many samples, at the dominant frequency f of that:
+/// By how much a signal is ahead of another of as many samples, at the dominant frequency f of
+/// that:
 ///
 ///   arg A/B,   A = sum_n w_n (a_n - mean) exp(-2 pi i f n dt), w Hann's window; B likewise
 ///
