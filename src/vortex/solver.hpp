@@ -49,7 +49,7 @@ class VortexSolver final : public flow::Solver {
   const Blobs& blobs() const { return blobs_; }  ///< as seen from the origin of the setup
 
  private:
-  const Wall* wall() const { return setup_.wall.get(); }
+  const Wall* wall() const { return setup_.problem.wall; }
   const body::Shape* shape() const { return wall() ? &wall()->shape() : nullptr; }
   Vec2 origin() const { return setup_.origin.at(time()); }
   Turn axes_at(double time) const;

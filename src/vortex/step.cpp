@@ -18,6 +18,14 @@
 #include "vortex/wall/forces.hpp"
 
 namespace vortree::vortex {
+
+void stand(Problem& p, double time) {
+  if (!p.moving) return;
+  p.standing = p.moving->at(time);
+  p.wall = &p.standing->wall;
+  p.turning = p.standing->turning;
+}
+
 namespace {
 
 double total(std::span<const double> gamma) {
@@ -31,12 +39,14 @@ void add_stream(Velocities& u, Vec2 stream) {
   for (double& a : u.v) a += stream.y;
 }
 
-/// What surrounds the blobs at one time: the stream, and how fast each body turns.
+/// What surrounds the blobs at one time: the stream, and how fast each body turns and goes.
 struct Around {
   Vec2 stream;
   std::vector<double> rates;
+  std::vector<Vec2> velocities;  // of bodies in the frame
 
   Around(const Problem& p, double time) : stream(p.flow.stream_at(time)) {
+    for (const body::Motion& one : p.flow.own) velocities.push_back(one.at(time).velocity);
     for (std::size_t k = 0; k < p.turning.size(); ++k) rates.push_back(p.flow.rate(k, time));
   }
 
@@ -56,6 +66,11 @@ std::vector<double> slip_of(const Blobs& blobs, const FoldedBlobs& at, const Vel
                             const Problem& p, const Around& around) {
   std::vector<double> slip = p.wall->slip(around.stream, at_samples, at, blobs.gamma);
   for (std::size_t k = 0; k < p.turning.size(); ++k) add(slip, around.rates[k], p.turning[k].slip);
+  for (std::size_t k = 0; k < around.velocities.size(); ++k) {
+    const Ring& ring = p.wall->rings()[k];
+    const Vec2 wall = around.velocities[k];
+    for (std::size_t i = ring.first; i < ring.end(); ++i) slip[i] -= dot(wall, p.wall->tangent(i));
+  }
   return slip;
 }
 
@@ -223,24 +238,47 @@ std::vector<double> as_released(const AtRest& at_rest, const Problem& p, double 
   return sheet;
 }
 
-/// What a body's own turning has to do with pressure in the step that ends at `time`, all told in
+/// How a body goes in the frame, and what its turning needs.
+struct Going {
+  Vec2 velocity, of_centroid;  // the arm from centre to centroid, times the area
+  double rate, area;
+
+  Going(std::size_t k, const Problem& p, double now, double time)
+      : velocity(p.flow.own_at(k, time).velocity),
+        rate(p.flow.rate(k, time)),
+        area(p.wall->area(k)) {
+    const double since = p.flow.own_at(k, time).angle - p.flow.own_at(k, now).angle;
+    if (!p.turning.empty()) of_centroid = Turn(since)(p.turning[k].of_centroid);
+  }
+  /// Of the centroid, times the area.
+  Vec2 flux() const { return area * velocity + rate * left_of(of_centroid); }
+};
+
+/// What a body's own motion has to do with pressure in the step that ends at `time`, all told in
 /// axes that do not turn. Its wall is driven by pressure beyond what the frame is, and the frame's
 /// own share (Flow::motion) is that of the body's centroid, not of its centre.
-void add_turning_of(std::size_t k, Wake& wake, const Problem& p, double time) {
-  const double now = p.flow.rate(k, time), before = p.flow.rate(k, time - p.dt),
-               between = p.flow.rate(k, time - p.dt / 2);
+void add_own_motion(std::size_t k, Wake& wake, const Problem& p, double time) {
+  const Going now(k, p, time, time), before(k, p, time, time - p.dt);
   const auto axes = [&](double t) { return Turn(p.flow.motion.at(t).angle); };
-  const Vec2 arm = left_of(p.turning[k].of_centroid);
   const std::vector<double> driven =
-      gained_along_wall(*p.wall, p.wall->rings()[k], now - before, between, p.dt);
+      gained_along_wall(*p.wall, p.wall->rings()[k],
+                        {now.velocity - before.velocity, now.rate - before.rate,
+                         p.flow.rate(k, time - p.dt / 2), p.dt});
   Load& pressure = wake.pressure[k];
   pressure += pressure_loads(driven, *p.wall, p.dt)[k];
   pressure.force = axes(time - p.dt / 2)(pressure.force) -
-                   1 / p.dt * (now * axes(time)(arm) - before * axes(time - p.dt)(arm));
+                   1 / p.dt * (axes(time)(now.flux()) - axes(time - p.dt)(before.flux()));
   add(wake.pressure_slope, -1 / p.dt, driven);
-  wake.friction[k].moment -= 2 * p.flow.nu * now * p.turning[k].circulation;
   wake.friction[k].force = axes(time)(wake.friction[k].force);
-  wake.moment += now * p.turning[k].moment;
+  if (p.turning.empty()) return;
+  wake.friction[k].moment -= 2 * p.flow.nu * now.rate * p.turning[k].circulation;
+  wake.moment += now.rate * p.turning[k].moment;
+}
+
+/// Whether bodies move other than with a frame that does not turn.
+bool own_motions(const Problem& p) {
+  return !p.turning.empty() ||
+         std::ranges::any_of(p.flow.own, [](const body::Motion& one) { return one.moves(); });
 }
 
 /// `impulsive`: the slip has come about at once, and so has the sheet, on the wall.
@@ -269,7 +307,8 @@ Wake cancel_slip(Blobs& blobs, const WallPoints& found, const Problem& p, double
   wake.pressure = pressure_loads(wake.sheet, *p.wall, p.dt);
   wake.pressure_slope.resize(p.wall->panels());
   add(wake.pressure_slope, -1 / p.dt, wake.sheet);
-  for (std::size_t k = 0; k < p.turning.size(); ++k) add_turning_of(k, wake, p, time);
+  if (own_motions(p))
+    for (std::size_t k = 0; k < p.wall->rings().size(); ++k) add_own_motion(k, wake, p, time);
   if (p.flow.motion.turns()) wake.moment = Turn(p.flow.motion.at(time).angle)(wake.moment);
   append(blobs, fresh);
   return wake;
@@ -345,22 +384,38 @@ TurningAxes turning_axes(const Problem& p) {
   return [&p](double after) { return p.flow.turned(p.time, after); };
 }
 
+/// The wall as it goes on in a step.
+WallOnItsWay wall_on_its_way(Problem& p) {
+  if (!p.wall) return {};
+  const auto shape_after = [&p](double after) {
+    stand(p, p.time + after);
+    return &p.wall->shape();
+  };
+  const auto turned = [&p](double arc, double after) {
+    const std::size_t body = p.wall->ring_at(arc);
+    return p.flow.own_at(body, p.time + after).angle - p.flow.own_at(body, p.time).angle;
+  };
+  return {shape_after, turned};
+}
+
 /// Carries all for a step. Those that drift go with the stream alone; what the others would have
 /// carried them beyond it belongs to the moment of what has left all the same: so much do they
-/// carry the others and the sheet the other way, and that is no force on the body.
+/// carry the others and the sheet the other way, and that is no force on the body. The wall goes on
+/// to where it is at the end.
 ///
 /// found    wall points nearest to the blobs' centres
 /// returns  those of where they have come to
-WallPoints carry(Blobs& blobs, Problem& p, const body::Shape* shape, bool strains,
-                 const WallPoints& found) {
+WallPoints carry(Blobs& blobs, Problem& p, bool strains, const WallPoints& found) {
   const Vec2 way = p.flow.way(p.time, p.dt);
   const std::size_t inside = blobs.size();
   const Blobs drifting = felt(p);
   append(blobs, drifting);
   const auto velocity = [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* g) {
+    stand(p, p.time + after);
     return advecting_velocity(b, at, p, p.time + after, g);
   };
-  WallPoints to = convect(blobs, velocity, shape, p.scheme, p.dt, strains, found, turning_axes(p));
+  WallPoints to =
+      convect(blobs, velocity, wall_on_its_way(p), p.scheme, p.dt, strains, found, turning_axes(p));
   const Turn turn(-p.flow.turned(p.time, p.dt));
   p.outflow.moment = turn(p.outflow.moment);
   for (std::size_t i = 0; i < drifting.size(); ++i)
@@ -431,17 +486,19 @@ StepCounts operator+(StepCounts a, const StepCounts& b) {
 }
 
 Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phase& phase) {
-  const body::Shape* shape = p.wall ? &p.wall->shape() : nullptr;
+  stand(p, p.time);
+  const auto shape = [&] { return p.wall ? &p.wall->shape() : nullptr; };
   Wake wake;
   phase("convect");
   const bool spreads = p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading;
   WallPoints found;
-  const auto spread = [&] { found = spread_cores(blobs, p.flow.nu, p.dt / 2, shape, found); };
+  const auto spread = [&] { found = spread_cores(blobs, p.flow.nu, p.dt / 2, shape(), found); };
   if (spreads) spread();
   if (strains_freely(p))
     carry_strained(blobs, p);
   else
-    found = carry(blobs, p, shape, spreads && shape, found);
+    found = carry(blobs, p, spreads && p.wall, found);
+  stand(p, p.time + p.dt);
   if (spreads)
     spread();
   else if (p.flow.nu > 0)

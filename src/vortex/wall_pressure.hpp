@@ -22,7 +22,7 @@ namespace vortree::vortex {
 ///
 ///   1/(2 pi) oint w h ds = -1/(2 pi) int omega u.V dA = -1/(2 pi) sum gamma_i u_i.V(x_i),
 ///
-/// and on the wall u = Omega e x x. (Of a circle w = 1/R: the mean of the pressure.)
+/// and on the wall u is that of the body. (Of a circle w = 1/R: the mean of the pressure.)
 ///
 /// Of several bodies each has a Phi of its own, which is constant on every one of them, and whose
 /// flow V circles it alone: Phi then weights sums of dh/dn - (u x omega).n around bodies, which are
