@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "body/extent.hpp"
-#include "body/group.hpp"
+#include "body/outlines/group.hpp"
 #include "body/shapes/shapes.hpp"
 #include "flow/steps.hpp"
 

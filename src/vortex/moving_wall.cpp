@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "body/group.hpp"
+#include "body/outlines/group.hpp"
 
 namespace vortree::vortex {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/ordered_sum.hpp"
-#include "body/group.hpp"
+#include "body/outlines/group.hpp"
 #include "fmm/plan.hpp"
 #include "vortex/wall/disc_multipole.hpp"
 #include "vortex/wall/panel_kernel.hpp"

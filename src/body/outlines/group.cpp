@@ -1,4 +1,4 @@
-#include "body/group.hpp"
+#include "body/outlines/group.hpp"
 
 #include <algorithm>
 #include <cmath>
