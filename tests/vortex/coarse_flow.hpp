@@ -9,10 +9,14 @@
 
 namespace vortree::test {
 
-/// The flow past a body of length 1 at the origin, coarse enough for a test.
-inline vortex::Setup coarse_flow(std::unique_ptr<body::Shape> shape, const body::Motion& motion,
-                                 Vec2 stream, double nu, double dt, int panels = 160) {
-  vortex::Setup made{.problem = {.flow = {stream, nu, motion},
+/// The flow past bodies of length 1 or so, the first at the origin, coarse enough for a test.
+///
+/// motion  of all, in whose frame all is computed
+/// own     of each in it
+inline vortex::Setup coarse_flow(std::vector<vortex::WallBody> bodies,
+                                 std::vector<body::Motion> own, const body::Motion& motion,
+                                 Vec2 stream, double nu, double dt) {
+  vortex::Setup made{.problem = {.flow = {stream, nu, motion, own},
                                  .dt = dt,
                                  .advecting_cores = std::numbers::sqrt2,
                                  .sigma_0 = std::sqrt(2 * nu * dt),
@@ -23,8 +27,16 @@ inline vortex::Setup coarse_flow(std::unique_ptr<body::Shape> shape, const body:
                                  .faintest = 1e-12,
                                  .sums = {.tolerance = 1e-5, .cores = fmm::Cores::mean}},
                      .scales = {.body = true, .impulsive = true}};
-  made.wall = std::make_unique<vortex::Wall>(std::move(shape), panels);
-  if (motion.turns()) made.turning = {vortex::Turning(*made.wall)};
+  made.wall =
+      std::make_shared<vortex::MovingWall>(std::move(bodies), std::move(own), motion.turns());
+  return made;
+}
+
+/// The same past a single one.
+inline vortex::Setup coarse_flow(std::unique_ptr<body::Shape> shape, const body::Motion& motion,
+                                 Vec2 stream, double nu, double dt, int panels = 160) {
+  vortex::Setup made = coarse_flow({{std::move(shape), panels}}, {{}}, motion, stream, nu, dt);
+  made.problem.flow.own.clear();
   return made;
 }
 
