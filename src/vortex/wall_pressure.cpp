@@ -45,7 +45,8 @@ double level(const Blobs& blobs, const Problem& p, std::span<const double> w) {
   return dot(stream, stream) / 2 - of_wall - weighted_vorticity(blobs, p, w) / two_pi;
 }
 
-/// The integral of a slope along the wall, from anywhere on; what would not close is spread evenly.
+}  // namespace
+
 std::vector<double> integrated(const Wall& wall, std::span<const double> slope) {
   const double b = wall.panel_length();
   const double open =
@@ -58,8 +59,6 @@ std::vector<double> integrated(const Wall& wall, std::span<const double> slope) 
   }
   return p;
 }
-
-}  // namespace
 
 double pressure_level(const Blobs& blobs, const Problem& problem) {
   return level(blobs, problem, circling(*problem.wall));

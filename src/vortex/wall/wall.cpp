@@ -184,6 +184,25 @@ void Wall::add_stream_function(std::span<const double> sheet, const fmm::Options
   }
 }
 
+/// A vortex of strength q has the velocity q e x (x - x')/(2 pi r^2).
+void Wall::add_dipoles(std::span<const double> x, std::span<const double> y,
+                       const fmm::Options& sums, tree::Points targets,
+                       std::span<double> potential) const {
+  Velocities of_x(targets.size()), of_y(targets.size());
+  add_velocity_of_points(x, sums, targets, of_x);
+  add_velocity_of_points(y, sums, targets, of_y);
+  const NearPanels::DipoleLayer layer = near_->layer(x, y);
+  const auto count = static_cast<std::ptrdiff_t>(targets.size());
+#pragma omp parallel for schedule(dynamic, wall_points_a_turn)
+  for (std::ptrdiff_t t = 0; t < count; ++t) {
+    const Vec2 at{targets.x[t], targets.y[t]};
+    const body::WallPoint w = WallPoints().nearest(t, at, exact_within * length_, shape_.get());
+    potential[t] += of_x.v[t] - of_y.u[t];
+    if (std::abs(w.distance) < exact_within * length_)
+      potential[t] += near_->dipole_correction(at, w.arc, layer);
+  }
+}
+
 double Wall::area() const {
   double sum = 0;
   for (std::size_t i = 0; i < panels(); ++i)
