@@ -61,11 +61,11 @@ std::vector<double> of_velocities(const MovingBlobs& all, const SumsOver& sums) 
   return h;
 }
 
-/// The quadrupoles: of a Gaussian, int omega d_k u_l dA = gamma sigma^2/2 times the mean of du_l/dx_k
-/// over it. With strain e and turning, and those at the points, E and omega, of the velocity of
-/// vortices,
+/// The quadrupoles: of a Gaussian, int omega d_k u_l dA is gamma sigma^2/2 times the mean of
+/// du_l/dx_k over it. With that mean's strain e and vorticity w, and with strain E and vorticity W
+/// that a unit vortex with its core has at a point,
 ///
-///   h = -sum_j gamma_j sigma_j^2/4 (4 e_xx E_xx + 4 e_xy E_xy + (dv/dx - du/dy) omega).
+///   h = -sum_j gamma_j sigma_j^2/4 (4 e_xx E_xx + 4 e_xy E_xy + w W),   e_xy = (du/dy + dv/dx)/2.
 void add_slopes(std::vector<double>& h, const MovingBlobs& all, const SumsOver& sums) {
   const auto& [ux, uy, vx] = all.slope;
   const auto weight = [&](std::size_t j) {

@@ -40,19 +40,20 @@ struct WallData {
 ///
 /// A blob is a dipole gamma (v, -u), u the mean velocity over its core, smoothed as its velocity
 /// is; and a quadrupole, of how u changes across the core: without it the middle of a vortex would
-/// miss omega^2 core^2/4.
+/// miss some omega^2 core^2/4.
 ///
 /// The slope along the wall is known as its mean over the last step, half a step ago; what the
 /// body's acceleration has changed since, by the potential flow that answers to it, is added.
 ///
 /// along   of a wall; without one nothing is read of it
-/// error   O(core^4) in free space, 8e-3 of the least pressure in a vortex four times as wide as its
-///         cores; beside a wall that of their fold, too, and O(dt) of the rest of the slope
+/// error   O(core^4) in free space: 8e-3 of the least pressure in a vortex four times as wide as
+///         its cores; beside a wall that of their fold, too, and O(dt) of the rest of the slope
 ///         (tests/vortex/pressure.cpp)
 /// cost    a velocity of all blobs with its gradient; at the points three velocities and two
 ///         gradients
 /// throws  std::invalid_argument if the wall has another number of panels
-/// source  Lamb, Hydrodynamics, sect. 146; Noca, Shiels & Jeon, J. Fluids Struct. 11 (1997)
+/// source  Uhlman, NUWC-NPT Technical Report 10086 (1992), for the pressure from vorticity by a
+///         boundary integral
 std::vector<double> pressure_at(tree::Points points, const Blobs& blobs, const Problem& problem,
                                 const WallData& along = {});
 
