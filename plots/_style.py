@@ -198,13 +198,13 @@ class Run:
         return next((read_csv(path) for path in (beside, shipped) if path.exists()), None)
 
     def fields(self):
-        """The grids of fields.h5 by ascending time: dictionaries of time, x, y, u, v, omega and, of
-        methods that tell one, the stream function psi."""
-        names = ("x", "y", "u", "v", "omega")
+        """The grids of fields.h5 by ascending time: dictionaries of time, x, y, u, v, omega and, as
+        far as they are told, the stream function psi and the pressure p."""
+        names, more = ("x", "y", "u", "v", "omega"), ("psi", "p")
         with self.hdf5("fields.h5") as file:
             try:
                 found = [{"time": float(g.attrs["time"]), **{n: g[n][()] for n in names},
-                          **({"psi": g["psi"][()]} if "psi" in g else {})}
+                          **{n: g[n][()] for n in more if n in g}}
                          for g in file.values()]
             except (KeyError, OSError):
                 raise Broken(f"{self.folder / 'fields.h5'}: a field is damaged") from None

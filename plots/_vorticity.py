@@ -9,7 +9,8 @@ def in_units(fields, length=1.0, centre=(0.0, 0.0), speed=1.0):
     return [{"x": (f["x"] - centre[0]) / length, "y": (f["y"] - centre[1]) / length,
              "u": f["u"] / speed, "v": f["v"] / speed, "omega": f["omega"] * length / speed,
              "time": f["time"] * speed / length,
-             **({"psi": f["psi"] / (speed * length)} if "psi" in f else {})} for f in fields]
+             **({"psi": f["psi"] / (speed * length)} if "psi" in f else {}),
+             **({"p": f["p"] / speed**2} if "p" in f else {})} for f in fields]
 
 
 def scale(fields):

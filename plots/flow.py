@@ -3,6 +3,7 @@
 import numpy as np
 from _colours import COLOURS, UPPER
 from _outline import is_circle, outline
+from _panels import name, windows
 from _streamlines import integrated_streamlines, streamlines
 from _style import Nothing, figure, main
 from _vorticity import in_units, rounded, scale, vorticity
@@ -16,7 +17,7 @@ def draw(run):
     circle = body and is_circle(run)
     fields = scaled(run, body)
     paint, most = colours(fields, body)
-    boxes = windows(fields, body, 0.02 * most)
+    boxes = windows(fields, "omega", 0.02 * most, body)
     tall = (boxes[0][3] - boxes[0][2]) / (boxes[0][1] - boxes[0][0])
     shared = boxes[0] is boxes[-1]
     columns = min(len(fields), MOST if tall > 0.8 else 2)
@@ -41,17 +42,6 @@ def draw(run):
     scale_bar(fig, grid, picture, "vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$"
               if "peak" not in fields[0] else "vorticity, of the largest then", body)
     return fig
-
-
-def name(grid, pictures, body):
-    columns = grid.shape[1]
-    for axes in grid.flat[pictures:]:
-        axes.set_visible(False)
-    for axes in grid.flat[max(0, pictures - columns):pictures]:
-        axes.set_xlabel("$x/R$" if body else "$x$")
-        axes.tick_params(labelbottom=True)
-    for axes in grid[:, 0]:
-        axes.set_ylabel("$y/R$" if body else "$y$")
 
 
 def scale_bar(fig, grid, picture, words, body):
@@ -99,28 +89,6 @@ def relative(fields):
         for field, peak in zip(fields, peaks):
             field.update(omega=field["omega"] / peak, peak=peak)
     return fields
-
-
-def windows(fields, body, faint):
-    """What each picture shows, as xlim and ylim in a row: all that is ever not faint, and the body.
-    Vortices that travel far are followed: then each has a window about its own middle."""
-    whole = window(fields, body, faint)
-    own = [window([field], body, faint) for field in fields]
-    size = np.max([np.subtract(box[1::2], box[::2]) for box in own], axis=0)
-    if body or np.all(np.subtract(whole[1::2], whole[::2]) < 3 * size):
-        return [whole] * len(fields)
-    return [np.ravel([[middle - half, middle + half] for middle, half in
-                      zip((np.add(box[1::2], box[::2])) / 2, size / 2)]) for box in own]
-
-
-def window(fields, body, faint):
-    x, y = fields[-1]["x"], fields[-1]["y"]
-    rows, columns = np.nonzero(np.max([np.abs(f["omega"]) for f in fields], axis=0) > faint)
-    left, right = x[columns.min()], x[columns.max()]
-    low, high = y[rows.min()], y[rows.max()]
-    pad = 0.6 if body else 0
-    return [max(left - pad, x[0]), min(right + pad, x[-1]), max(low - pad, y[0]),
-            min(high + pad, y[-1])]
 
 
 main("flow.png", draw)

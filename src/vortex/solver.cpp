@@ -9,6 +9,7 @@
 #include "flow/near_wake.hpp"
 #include "vortex/blobs/energy.hpp"
 #include "vortex/blobs/moments.hpp"
+#include "vortex/pressure.hpp"
 #include "vortex/stream_function.hpp"
 #include "vortex/tuning.hpp"
 #include "vortex/wall/vorticity.hpp"
@@ -320,6 +321,14 @@ std::vector<double> VortexSolver::stream_function(tree::Points at) const {
   const Vec2 drift = setup_.origin.drift;
   for (std::size_t k = 0; k < psi.size(); ++k) psi[k] += drift.x * at.y[k] - drift.y * at.x[k];
   return psi;
+}
+
+/// None of an impulsive start, where it is infinite.
+std::vector<double> VortexSolver::pressure(tree::Points at) const {
+  if (wall() && steps_ == 0) return {};
+  std::vector<double> x(at.x.begin(), at.x.end()), y(at.y.begin(), at.y.end());
+  from_scene(x, y, origin());
+  return pressure_at({x, y}, blobs_, setup_.problem, {wake_.pressure_slope, wake_.wall_vorticity});
 }
 
 flow::FrameTable VortexSolver::frame_table() const {

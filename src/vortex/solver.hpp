@@ -40,6 +40,7 @@ class VortexSolver final : public flow::Solver {
   double drift() const override { return drift_; }
   flow::Samples sample(tree::Points at) const override;
   std::vector<double> stream_function(tree::Points at) const override;
+  std::vector<double> pressure(tree::Points at) const override;
   flow::FrameTable frame_table() const override;
   std::vector<double> frame_rows() const override;
   flow::Closing closing() const override;

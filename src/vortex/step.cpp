@@ -252,10 +252,12 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
   return wake;
 }
 
-MovingBlobs moving(const Blobs& blobs, const Problem& p) {
+MovingBlobs moving(const Blobs& blobs, const Problem& p, WithSlope wanted) {
   MovingBlobs all{with_drifting(blobs, p), {}, Velocities()};
+  if (!p.wall) all.blobs = Halves(all.blobs).parts;
   all.at = fold(all.blobs, p.wall ? &p.wall->shape() : nullptr);
-  all.u = advecting_velocity(all.blobs, all.at, p, p.time, nullptr);
+  all.u = advecting_velocity(all.blobs, all.at, p, p.time,
+                             wanted == WithSlope::yes ? &all.slope : nullptr);
   return all;
 }
 

@@ -151,15 +151,19 @@ Wake start(Blobs& blobs, const Problem& problem);
 /// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const tree::Phase& phase);
 
-/// Blobs and those that have left and are felt, how the wall folds them, and how they move.
+/// Blobs and those that have left and are felt, how the wall folds them, and how they move; in free
+/// space strained blobs are two halves (cores/halves.hpp).
 ///
-/// u  of each core as a whole, by stream, blobs and sheet
+/// u      of each core as a whole, by stream, blobs and sheet
+/// slope  its gradient, if it is wanted, averaged over the core; without the sheet's
 struct MovingBlobs {
   Blobs blobs;
   FoldedBlobs at;
   Velocities u;
+  Gradients slope{};
 };
-MovingBlobs moving(const Blobs& blobs, const Problem& problem);
+enum class WithSlope : bool { no, yes };
+MovingBlobs moving(const Blobs& blobs, const Problem& problem, WithSlope wanted = WithSlope::no);
 
 /// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at
 /// rest.

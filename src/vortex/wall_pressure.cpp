@@ -76,6 +76,12 @@ void integrate(std::span<const double> slope, double b, std::span<double> p) {
 
 }  // namespace
 
+std::vector<double> integrated(const Wall& wall, std::span<const double> slope) {
+  std::vector<double> p(wall.panels());
+  for (const Ring& ring : wall.rings()) integrate(ring.of(slope), ring.length, ring.of(p));
+  return p;
+}
+
 double pressure_level(const Blobs& blobs, const Problem& problem) {
   return level(moving(blobs, problem), problem, circling(*problem.wall, 0));
 }
@@ -83,8 +89,7 @@ double pressure_level(const Blobs& blobs, const Problem& problem) {
 std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
                                   std::span<const double> slope) {
   const Wall& wall = *problem.wall;
-  std::vector<double> p(wall.panels());
-  for (const Ring& ring : wall.rings()) integrate(ring.of(slope), ring.length, ring.of(p));
+  std::vector<double> p = integrated(wall, slope);
   const body::Kinematics between = problem.flow.motion.at(problem.time - problem.dt / 2);
   const Vec2 driven = Turn(-between.angle)(between.acceleration);
   for (std::size_t i = 0; i < p.size(); ++i) p[i] -= dot(driven, wall.middle(i));

@@ -189,3 +189,30 @@ TEST_CASE("on the wall of a body that turns or goes, C_p is that of the same in 
     CHECK(b[7] == Approx(a[6]).margin(0.02));  // C_f
   }
 }
+
+TEST_CASE("the pressure around a body that turns and goes is that of the same in its own frame") {
+  const body::Course moves = course([](double t) { return -0.8 * t + 0.3 * t * t; }, still,
+                                    [](double t) { return 0.6 * t; });
+  const auto after = [](vortex::Setup setup) {
+    auto solver = std::make_unique<vortex::VortexSolver>(std::move(setup));
+    for (int k = 0; k < 12; ++k) solver->step(silent);
+    return solver;
+  };
+  // The frame of the first is that of its centre, in which the scene stands still.
+  const auto own = after(alone(moves, {0.2, 0})),
+             there = after(beside_circle(moves, {0.2, 0}, true));
+  const Vec2 place = moves.at(own->time()).place;
+  std::vector<double> x, y, moved, unmoved;
+  for (const double r : {0.55, 0.8, 1.5, 4.0})
+    for (int k = 0; k < 12; ++k) {
+      x.push_back(r * std::cos(k * std::numbers::pi / 6));
+      y.push_back(r * std::sin(k * std::numbers::pi / 6));
+      moved.push_back(x.back() + place.x);
+    }
+  const std::vector<double> a = own->pressure({x, y}), b = there->pressure({moved, y});
+  double largest = 0;
+  for (const double p : a) largest = std::max(largest, std::abs(p));
+  CHECK(largest > 0.2);
+  // As C_p on the wall, of which the field is a sum.
+  for (std::size_t k = 0; k < a.size(); ++k) CHECK(b[k] == Approx(a[k]).margin(0.02));
+}
