@@ -185,7 +185,8 @@ void refuse_tracers(const Case& of) {
     if (one.around && !of.body)
       throw Refused("tracers", name + ".around needs a body to go around; there is no [body]");
     const double times = one.every ? std::floor((of.time.end - one.from) / *one.every) + 1 : 1;
-    all += std::max(times, 0.0) * one.count;
+    const double bodies = one.around ? static_cast<double>(every_body(of).size()) : 1;
+    all += std::max(times, 0.0) * one.count * bodies;
   }
   if (all > most_tracers)
     throw Refused("tracers", fmt::format("[[tracers]] releases {:.2g} tracers until time.end; "

@@ -41,7 +41,7 @@ bool at_rest(const Scene& s) {
   return s.plunge && s.flow.stream == Pair{0, 0};
 }
 bool started(const Scene& s) {
-  return s.body && body::round(*s.body) && !s.plunge && !s.motion && !s.initial &&
+  return s.body && s.others.empty() && body::round(*s.body) && !s.plunge && !s.motion && !s.initial &&
          s.flow.stream != Pair{0, 0};
 }
 bool in_stream(const Scene& s) {
