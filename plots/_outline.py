@@ -10,11 +10,27 @@ LOOK = {"facecolor": "#4d4d4d", "edgecolor": INK, "lw": 0.8, "zorder": 3}
 
 
 def walls(run, time=None):
-    """The corners of each outline, as it is turned at that time."""
+    """The corners of each outline, where it is and as it is turned at that time."""
     radius, _ = run.body
-    c, s = np.cos(angle := run.angle(time)), np.sin(angle)
-    scaled = ((one["x"] / radius, one["y"] / radius) for one in run.outlines)
-    return [np.c_[c * x - s * y, s * x + c * y] for x, y in scaled]
+    scaled = [(one["x"] / radius, one["y"] / radius) for one in run.outlines]
+    if not run.several:
+        return [turned(*scaled[0], run.angle(time))]
+    found = []
+    for k, (x, y), centre in zip(run.numbers, scaled, centres(run)):
+        way, angle = run.place(k, time)
+        found.append(centre + way / radius + turned(x - centre[0], y - centre[1], angle))
+    return found
+
+
+def turned(x, y, angle):
+    c, s = np.cos(angle), np.sin(angle)
+    return np.c_[c * x - s * y, s * x + c * y]
+
+
+def centres(run):
+    """Of each body as the flow begins."""
+    radius, first = run.body
+    return [(np.array(one.get("centre", [0, 0])) - first) / radius for one in run.bodies]
 
 
 def outline(run, time=None):
@@ -25,18 +41,17 @@ def outline(run, time=None):
     return PathPatch(Path.make_compound_path(*(Path(one, closed=True) for one in corners)), **LOOK)
 
 
-def discs(run):
+def discs(run, time=None):
     """Centre and half the length of each body, in the same units; of others than the first what is
     farthest from the centre."""
-    radius, centre = run.body
-    places = [(np.array(one.get("centre", [0, 0])) - centre) / radius for one in run.bodies]
-    farthest = [np.hypot(*(wall - place).T).max() for wall, place in zip(walls(run), places)]
-    return list(zip(places, [1.0, *farthest[1:]]))
+    farthest = [np.hypot(*(wall - place).T).max() for wall, place in zip(walls(run), centres(run))]
+    gone = [run.place(k, time)[0] / run.body[0] for k in run.numbers]
+    return list(zip(np.add(centres(run), gone), [1.0, *farthest[1:]]))
 
 
-def circles(run):
+def circles(run, time=None):
     """Centre and radius of each body that is a circle, in the same units."""
-    return [disc for k, disc in zip(run.numbers, discs(run)) if is_circle(run, k)]
+    return [disc for k, disc in zip(run.numbers, discs(run, time)) if is_circle(run, k)]
 
 
 def is_circle(run, number=1):

@@ -223,6 +223,15 @@ class Run:
         rows = [table["body"] == k for k in self.numbers]
         return [{name: table[name][some] for name in ("x", "y")} for some in rows]
 
+    def place(self, number, time):
+        """Of one of several bodies then: how far it has gone in the frame of all, and by which angle
+        it is turned, in radians."""
+        names = [f"body_{what}_{number}" for what in ("x", "y", "angle")]
+        if time is None or not set(names) <= set(self.report):
+            return np.zeros(2), 0.0
+        x, y, angle = (np.interp(time, self.report["t"], self.report[name]) for name in names)
+        return np.array([x, y]), np.radians(angle)
+
     def angle(self, time):
         """By which the body is turned then, anticlockwise, in radians."""
         if time is None or "motion" not in self.scene or "body_angle" not in self.report:
@@ -254,13 +263,13 @@ class Run:
         return next((read_csv(path) for path in (beside, shipped) if path.exists()), None)
 
     def fields(self):
-        """The grids of fields.h5 by ascending time: dictionaries of time, x, y, u, v, omega and, of
-        methods that tell one, the stream function psi."""
-        names = ("x", "y", "u", "v", "omega")
+        """The grids of fields.h5 by ascending time: dictionaries of time, x, y, u, v, omega and, as
+        far as they are told, the stream function psi and the pressure p."""
+        names, more = ("x", "y", "u", "v", "omega"), ("psi", "p")
         with self.hdf5("fields.h5") as file:
             try:
                 found = [{"time": float(g.attrs["time"]), **{n: g[n][()] for n in names},
-                          **({"psi": g["psi"][()]} if "psi" in g else {})}
+                          **{n: g[n][()] for n in more if n in g}}
                          for g in file.values()]
             except (KeyError, OSError):
                 raise Broken(f"{self.folder / 'fields.h5'}: a field is damaged") from None

@@ -9,14 +9,16 @@ def in_units(fields, length=1.0, centre=(0.0, 0.0), speed=1.0):
     return [{"x": (f["x"] - centre[0]) / length, "y": (f["y"] - centre[1]) / length,
              "u": f["u"] / speed, "v": f["v"] / speed, "omega": f["omega"] * length / speed,
              "time": f["time"] * speed / length,
-             **({"psi": f["psi"] / (speed * length)} if "psi" in f else {})} for f in fields]
+             **({"psi": f["psi"] / (speed * length)} if "psi" in f else {}),
+             **({"p": f["p"] / speed**2} if "p" in f else {})} for f in fields]
 
 
-def scale(fields, bodies=(((0, 0), 1),)):
+def scale(fields, bodies_of=lambda field: [((0, 0), 1)]):
     """Where the colours end. The thin layers at the wall go far beyond: the scale serves the wake,
     0.7 of the typical peak away from bodies, told by centre and half their length."""
     peaks = []
     for field in fields:
+        bodies = bodies_of(field)
         away = np.all([np.hypot(*grid(field, *body)) > 1.25 for body in bodies], axis=0)
         peaks.append(np.abs(field["omega"][away]).max(initial=0))
     most = 0.7 * np.median(peaks)

@@ -3,6 +3,7 @@
 import numpy as np
 from _colours import COLOURS, UPPER
 from _outline import circles, discs, outline, walls
+from _panels import name, windows
 from _streamlines import integrated_streamlines, streamlines
 from _style import Nothing, figure, main
 from _vorticity import in_units, rounded, scale, vorticity
@@ -13,10 +14,11 @@ MOST = 4  # panels
 
 def draw(run):
     body = "body" in run.scene
-    round_ones = circles(run) if body else []
     fields = scaled(run, body)
-    paint, most = colours(fields, discs(run) if body else [])
-    boxes = windows(fields, body, 0.02 * most)
+    unit = run.body[0] / run.speed if body else 1.0
+    bodies_of = (lambda field: discs(run, unit * field["time"])) if body else None
+    paint, most = colours(fields, bodies_of)
+    boxes = windows(fields, "omega", 0.02 * most, body)
     tall = (boxes[0][3] - boxes[0][2]) / (boxes[0][1] - boxes[0][0])
     shared = boxes[0] is boxes[-1]
     columns = min(len(fields), MOST if tall > 0.8 else 2)
@@ -24,15 +26,18 @@ def draw(run):
     fig = figure(11.0, 0.6 + rows * (0.45 + tall * 9.2 / max(columns, 2)), run.scene.get("title"))
     grid = fig.subplots(rows, columns, sharex=shared, sharey=shared, squeeze=False)
     for axes, field, box in zip(grid.flat, fields, boxes):
+        time = unit * field["time"]
+        round_ones = circles(run, time) if body else []
         picture = vorticity(axes, field, round_ones, paint)
         even = not {"plunge", "initial"} & set(run.scene)  # on both sides of the stream
+        even = even and not any("motion" in one for one in run.bodies)
         closed = run.stream.any() and not run.sheds and even
         if body and closed and "psi" in field:  # closed wakes only
-            streamlines(axes, field, walls(run))
+            streamlines(axes, field, walls(run, time))
         elif len(round_ones) == 1 and closed:
             integrated_streamlines(axes, field, run.stream / run.speed)
         if body:
-            axes.add_patch(outline(run, field["time"] * run.body[0] / run.speed))
+            axes.add_patch(outline(run, time))
         axes.set_title(f"${'T' if body else 't'} = {field['time']:.3g}$"
                        + (f",  largest {field['peak']:.3g}" if "peak" in field else ""))
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
@@ -41,17 +46,6 @@ def draw(run):
     scale_bar(fig, grid, picture, "vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$"
               if "peak" not in fields[0] else "vorticity, of the largest then", body)
     return fig
-
-
-def name(grid, pictures, body):
-    columns = grid.shape[1]
-    for axes in grid.flat[pictures:]:
-        axes.set_visible(False)
-    for axes in grid.flat[max(0, pictures - columns):pictures]:
-        axes.set_xlabel("$x/R$" if body else "$x$")
-        axes.tick_params(labelbottom=True)
-    for axes in grid[:, 0]:
-        axes.set_ylabel("$y/R$" if body else "$y$")
 
 
 def scale_bar(fig, grid, picture, words, body):
@@ -75,10 +69,10 @@ def scaled(run, body):
     return in_units(fields, length, centre, speed)
 
 
-def colours(fields, bodies):
+def colours(fields, bodies_of):
     """The look of the pictures, and the largest vorticity that it tells apart."""
-    if bodies:
-        clip = scale(fields, bodies)
+    if bodies_of:
+        clip = scale(fields, bodies_of)
         return {"cmap": COLOURS, "vmin": -clip, "vmax": clip}, clip
     for field in relative(fields):
         if not 0 < np.abs(field["omega"]).max(initial=0) < np.inf:
@@ -99,28 +93,6 @@ def relative(fields):
         for field, peak in zip(fields, peaks):
             field.update(omega=field["omega"] / peak, peak=peak)
     return fields
-
-
-def windows(fields, body, faint):
-    """What each picture shows, as xlim and ylim in a row: all that is ever not faint, and the body.
-    Vortices that travel far are followed: then each has a window about its own middle."""
-    whole = window(fields, body, faint)
-    own = [window([field], body, faint) for field in fields]
-    size = np.max([np.subtract(box[1::2], box[::2]) for box in own], axis=0)
-    if body or np.all(np.subtract(whole[1::2], whole[::2]) < 3 * size):
-        return [whole] * len(fields)
-    return [np.ravel([[middle - half, middle + half] for middle, half in
-                      zip((np.add(box[1::2], box[::2])) / 2, size / 2)]) for box in own]
-
-
-def window(fields, body, faint):
-    x, y = fields[-1]["x"], fields[-1]["y"]
-    rows, columns = np.nonzero(np.max([np.abs(f["omega"]) for f in fields], axis=0) > faint)
-    left, right = x[columns.min()], x[columns.max()]
-    low, high = y[rows.min()], y[rows.max()]
-    pad = 0.6 if body else 0
-    return [max(left - pad, x[0]), min(right + pad, x[-1]), max(low - pad, y[0]),
-            min(high + pad, y[-1])]
 
 
 main("flow.png", draw)

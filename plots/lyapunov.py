@@ -47,7 +47,7 @@ def draw(run):
         axes.set_title(place.words(of["time"]))
         if place.body:
             shift = Affine2D().translate(*place.shift(of["time"]))
-            axes.add_patch(outline(run)).set_transform(shift + axes.transData)
+            axes.add_patch(outline(run, of["time"])).set_transform(shift + axes.transData)
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
         axes.grid(False)
     for axes in grid[-1]:

@@ -53,7 +53,7 @@ def draw(run):
         axes.scatter((x - centre[0]) / unit, (y - centre[1]) / unit, s=2.5, c=colours, lw=0,
                      rasterized=True)
         if body:
-            axes.add_patch(outline(run))
+            axes.add_patch(outline(run, time))
         t = time * run.speed / unit if body else time
         axes.set_title(f"${'T' if body else 't'} = {t:.3g}$")
         axes.set(xlim=[(a - centre[0]) / unit for a in wide],

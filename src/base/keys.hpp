@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -221,5 +223,19 @@ struct Refused : std::runtime_error {
       : std::runtime_error(words), key(std::move(of)) {}
   std::string key;
 };
+
+/// The same of a table that goes by another name: "motion.x is ..." becomes "body[1].motion.x is ...".
+[[nodiscard]] inline Refused renamed(const Refused& refused, std::string_view from,
+                                     const std::string& to) {
+  std::string words = refused.what();
+  for (std::size_t at = 0; (at = words.find(from, at)) != std::string::npos;) {
+    const std::size_t end = at + from.size();
+    const bool apart = at == 0 || !std::isalnum(static_cast<unsigned char>(words[at - 1]));
+    const bool named = apart && end < words.size() && (words[end] == '.' || words[end] == ']');
+    if (named) words.replace(at, from.size(), to);
+    at += named ? to.size() : from.size();
+  }
+  return {to + refused.key.substr(std::min(from.size(), refused.key.size())), words};
+}
 
 }  // namespace vortree

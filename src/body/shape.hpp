@@ -26,7 +26,7 @@ struct OutlinePoint {
   double curvature, arc;
 };
 
-/// A closed curve without double points, or several apart from each other (body/group.hpp): all that
+/// A closed curve without double points, or several apart from each other (body/outlines/group.hpp): all that
 /// the wall knows of bodies.
 class Shape {
  public:

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "body/extent.hpp"
-#include "body/group.hpp"
+#include "body/outlines/group.hpp"
 #include "body/shapes/shapes.hpp"
 #include "flow/steps.hpp"
 
@@ -38,7 +38,7 @@ namespace {
 
 constexpr double most_picture_points = 1e8;
 constexpr double most_tracers = 1e6;
-constexpr double closest = 0.01;  // of the smaller body's length
+constexpr double closest = 0.003;  // of the smaller body's perimeter
 
 double fastest_plunge(const Case& of) {
   if (!of.plunge) return 0;
@@ -67,9 +67,14 @@ struct FastestMoves {
   }
 };
 
-/// Of the centre of the body.
+/// Of the centre of a body.
 double fastest_travel(const Case& of) {
-  return fastest_plunge(of) + (of.motion ? FastestMoves(of.motion->course).speed : 0);
+  const double common =
+      fastest_plunge(of) + (of.motion ? FastestMoves(of.motion->course).speed : 0);
+  double own = 0;
+  for (const body::BodySettings& one : every_body(of))
+    if (one.motion) own = std::max(own, FastestMoves(one.motion->course).speed);
+  return common + own;
 }
 
 /// Of the wall about the centre.
@@ -78,7 +83,9 @@ double fastest_turn(const Case& of) {
   const double common =
       of.motion ? std::abs(of.motion->spin) + FastestMoves(of.motion->course).rate : 0;
   for (const body::BodySettings& one : every_body(of)) {
-    const double rate = common + (one.motion ? std::abs(one.motion->spin) : 0);
+    const double own =
+        one.motion ? std::abs(one.motion->spin) + FastestMoves(one.motion->course).rate : 0;
+    const double rate = common + own;
     fastest = std::max(fastest, rate * body::length_of(one) / 2);
   }
   return fastest;
@@ -91,67 +98,71 @@ void refuse_plunge(const Case& of) {
                   "plunge.direction is [0, 0]; a direction was expected, as [0, 1]");
 }
 
-void refuse_motion(const Case& of) {
-  if (!of.body) throw Refused("motion", "[motion] is how a body moves; there is no [body]");
-  body::refuse(*of.motion);
-  if (of.motion->spin != 0 && !body::round(*of.body))
-    throw Refused("motion.spin",
-                  fmt::format("motion.spin is {}; only a circle can turn in its place, body.shape "
-                              "is \"{}\"",
-                              of.motion->spin, of.body->shape->name));
+void refuse_motion(const body::BodySettings& body, const body::MotionSettings& motion) {
+  body::refuse(motion);
+  if (motion.spin != 0 && !body::round(body))
+    throw Refused(
+        "motion.spin",
+        fmt::format("motion.spin is {}; only a circle can turn in its place, the shape of "
+                    "the body is \"{}\"",
+                    motion.spin, body.shape->name));
 }
 
-/// What a body's own settings refuse, under the name that it has among several.
-void refuse_named(const Case& of, std::size_t number, const body::BodySettings& body) {
+void refuse_motion(const Case& of) {
+  if (!of.body) throw Refused("motion", "[motion] is how a body moves; there is no [body]");
+  refuse_motion(*of.body, *of.motion);
+}
+
+/// What a body's own settings refuse, under the names that it has among several.
+void refuse_body(const Case& of, std::size_t number, const body::BodySettings& body) {
+  const std::string key = fmt::format("body[{}]", number);
   try {
     body::refuse(body);
   } catch (const Refused& refused) {
     if (of.others.empty()) throw;
-    const std::string own = fmt::format("body[{}]", number);
-    std::string words = refused.what();
-    for (std::size_t at = 0; (at = words.find("body.", at)) != std::string::npos;
-         at += own.size() + 1)
-      words.replace(at, 4, own);
-    throw Refused(own + refused.key.substr(std::min<std::size_t>(4, refused.key.size())), words);
+    throw renamed(refused, "body", key);
+  }
+  if (!body.motion) return;
+  if (of.others.empty())
+    throw Refused("body.motion",
+                  "[body.motion] is for one of several bodies; of a single one write [motion]");
+  try {
+    refuse_motion(body, *body.motion);
+  } catch (const Refused& refused) {
+    throw renamed(refused, "motion", key + ".motion");
   }
 }
 
-void refuse_own_motion(const Case& of, std::size_t number, const body::BodySettings& body) {
-  const std::string key = key_of_body(of, number, "motion");
-  if (of.others.empty())
-    throw Refused(key,
-                  "[body.motion] is for one of several bodies; of a single one write [motion]");
-  const body::MotionSettings& own = *body.motion;
-  if (own.given_by_time())
-    throw Refused(key, key +
-                           " has x, y, angle or file: bodies do not move against each other; "
-                           "spin alone was expected");
-  if (own.spin == 0) throw Refused(key, key + " needs the key spin");
-  if (!body::round(body))
-    throw Refused(key, fmt::format("{}.spin is {}; only a circle can turn in its place, its shape "
-                                   "is \"{}\"",
-                                   key, own.spin, body.shape->name));
-}
-
-/// Bodies that overlap, or come closer than a hundredth of the smaller one.
-void refuse_gaps(const Case& of) {
-  const body::Bodies bodies = bodies_of(of);
+/// Bodies that overlap, or come closer than `closest`, at a time.
+void refuse_gaps(const body::Bodies& bodies, double t) {
   const auto placed = [&](std::size_t k) {
-    return body::Placed(bodies[k].shape, bodies[k].centre);
+    const body::Kinematics own = bodies[k].own.at(t);
+    return body::Placed(bodies[k].shape, bodies[k].centre + own.place, own.angle);
   };
+  const std::string when = t > 0 ? fmt::format(" at t = {:.4g}", t) : "";
   for (std::size_t k = 1; k < bodies.size(); ++k)
     for (std::size_t before = 0; before < k; ++before) {
-      const double gap = body::gap_between(placed(before), placed(k));
-      const double least = closest * std::min(body::length_of(every_body(of)[before]),
-                                              body::length_of(every_body(of)[k]));
-      if (gap < least)
-        throw Refused(
-            fmt::format("body[{}].centre", k),
-            gap > 0 ? fmt::format("body[{}] and body[{}] are {:.3g} apart; {:.3g} is the "
-                                  "least that can be computed",
-                                  before, k, gap, least)
-                    : fmt::format("body[{}] and body[{}] overlap, by {:.3g}", before, k, -gap));
+      const double gap = body::gap_between(placed(before), placed(k)),
+                   least = closest * std::min(bodies[before].shape->perimeter(),
+                                              bodies[k].shape->perimeter());
+      if (gap >= least) continue;
+      const std::string key = fmt::format("body[{}].{}", k, t > 0 ? "motion" : "centre");
+      throw Refused(
+          key, gap > 0 ? fmt::format("body[{}] and body[{}] are {:.3g} apart{}; {:.3g} is the "
+                                     "least that can be computed",
+                                     before, k, gap, when, least)
+                       : fmt::format("body[{}] and body[{}] overlap{}, by {:.3g}", before, k, when,
+                                     -gap));
     }
+}
+
+/// Bodies that come too close on their way: looked at in a thousand moments if any moves.
+void refuse_meetings(const Case& of) {
+  const body::Bodies bodies = bodies_of(of);
+  const bool moves =
+      std::ranges::any_of(bodies, [](const body::Body& one) { return one.own.course.moves(); });
+  const int moments = moves ? 1000 : 0;
+  for (int k = 0; k <= moments; ++k) refuse_gaps(bodies, k == 0 ? 0 : of.time.end * k / moments);
 }
 
 void refuse_several(const Case& of) {
@@ -160,7 +171,6 @@ void refuse_several(const Case& of) {
     throw Refused("motion.spin",
                   "motion.spin is of a single circle; of several bodies write "
                   "[body.motion] with spin below each that turns");
-  refuse_gaps(of);
 }
 
 void refuse_tracers(const Case& of) {
@@ -175,7 +185,8 @@ void refuse_tracers(const Case& of) {
     if (one.around && !of.body)
       throw Refused("tracers", name + ".around needs a body to go around; there is no [body]");
     const double times = one.every ? std::floor((of.time.end - one.from) / *one.every) + 1 : 1;
-    all += std::max(times, 0.0) * one.count;
+    const double bodies = one.around ? static_cast<double>(every_body(of).size()) : 1;
+    all += std::max(times, 0.0) * one.count * bodies;
   }
   if (all > most_tracers)
     throw Refused("tracers", fmt::format("[[tracers]] releases {:.2g} tracers until time.end; "
@@ -252,11 +263,8 @@ void complete_times(Case& of) {
 }
 
 void refuse_senseless(const Case& of) {
-  const std::vector<body::BodySettings> bodies = every_body(of);
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    refuse_named(of, k, bodies[k]);
-    if (bodies[k].motion) refuse_own_motion(of, k, bodies[k]);
-  }
+  const BodyList bodies = every_body(of);
+  for (std::size_t k = 0; k < bodies.size(); ++k) refuse_body(of, k, bodies[k]);
   refuse_several(of);
   if (of.plunge) refuse_plunge(of);
   if (of.motion) refuse_motion(of);
@@ -273,15 +281,17 @@ void refuse_senseless(const Case& of) {
 void refuse_rest(const Case& of) {
   if (!of.others.empty() && of.motion && of.motion->course.turns())
     throw Refused(of.motion->angle ? "motion.angle" : "motion.file",
-                  "[motion] turns several bodies; together they can only travel");
+                  "[motion] turns several bodies; together they can only travel, each turns by "
+                  "its own [body.motion]");
+  if (!of.others.empty()) refuse_meetings(of);
   if (of.body && !of.initial && speed_of(of) == 0)
     throw Refused("flow",
                   "nothing moves: a body needs a flow.stream, a [plunge], a [motion] or [initial] "
                   "vorticity");
 }
 
-std::vector<body::BodySettings> every_body(const Case& of) {
-  std::vector<body::BodySettings> all;
+BodyList every_body(const Case& of) {
+  BodyList all;
   if (of.body) all.push_back(*of.body);
   all.insert(all.end(), of.others.begin(), of.others.end());
   return all;
@@ -322,8 +332,10 @@ double fastest_of(const Case& of) {
 
 double period_of(const Case& of) {
   const double plunge = of.plunge ? 1 / of.plunge->frequency : INFINITY;
-  if (!of.motion) return plunge;
-  return std::min(plunge, std::max(FastestMoves(of.motion->course).period(), of.time.end / 50));
+  double moves = of.motion ? FastestMoves(of.motion->course).period() : INFINITY;
+  for (const body::BodySettings& one : every_body(of))
+    if (one.motion) moves = std::min(moves, FastestMoves(one.motion->course).period());
+  return std::min(plunge, std::max(moves, of.time.end / 50));
 }
 
 }  // namespace vortree::flow

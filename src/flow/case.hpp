@@ -59,8 +59,8 @@ void complete_times(Case& of);
 ///         fills the plane
 void refuse_senseless(const Case& of);
 
-/// throws  Refused for a body at rest in fluid at rest, or several that turn together. The course
-///         of their motion must be there.
+/// throws  Refused for a body at rest in fluid at rest, and for several that turn together, overlap,
+///         or come to do so. The courses of their motions must be there.
 void refuse_rest(const Case& of);
 
 /// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
@@ -72,7 +72,8 @@ void refuse_rest(const Case& of);
 [[nodiscard]] std::optional<PeriodicFlow> periodic_flow_of(const Case& of);
 
 /// What the scene says of each body, the first first.
-[[nodiscard]] std::vector<body::BodySettings> every_body(const Case& of);
+using BodyList = std::vector<std::reference_wrapper<const body::BodySettings>>;
+[[nodiscard]] BodyList every_body(const Case& of);
 
 /// The key of a body's table, as errors name it: body.panels, or of one of several body[1].panels.
 [[nodiscard]] std::string key_of_body(const Case& of, std::size_t number, std::string_view key);

@@ -21,13 +21,15 @@ struct Measure {
 
 using Measures = std::vector<Measure>;
 
-/// Where a body's centre is, that moves by a course, and by what angle it is turned.
-inline void add_place(Measures& measures, const body::Motion& motion, double t) {
+/// Where a body's centre is, that moves by a course, and by what angle it is turned; of one of
+/// several, what it does beside the others, its number behind the names.
+inline void add_place(Measures& measures, const body::Motion& motion, double t,
+                      const std::string& number = "") {
   if (!motion.course.moves()) return;
   const body::Kinematics now = motion.at(t);
-  measures.push_back({"body_x", "L", now.place.x});
-  measures.push_back({"body_y", "L", now.place.y});
-  measures.push_back({"body_angle", "deg", now.angle * 180 / std::numbers::pi});
+  measures.push_back({"body_x" + number, "L", now.place.x});
+  measures.push_back({"body_y" + number, "L", now.place.y});
+  measures.push_back({"body_angle" + number, "deg", now.angle * 180 / std::numbers::pi});
 }
 
 /// throws  std::out_of_range with the name, if there is none

@@ -14,6 +14,11 @@ Vec2 way_of(const body::Motion& motion) {
   return -1 * fastest;
 }
 
+bool begins_at_once(const body::Motion& motion) {
+  const body::Kinematics first = motion.at(0);
+  return dot(first.velocity, first.velocity) > 0 || first.rate != 0;
+}
+
 }  // namespace
 
 Scales scales_of(const Case& of) {
@@ -27,9 +32,9 @@ Scales scales_of(const Case& of) {
   const body::Motion motion = body::motion_of(of.plunge, of.motion);
   if (const Vec2 way = u != 0 || v != 0 ? Vec2{u, v} : way_of(motion); dot(way, way) > 0)
     scales.along = unit(way);
-  const body::Kinematics first = motion.at(0);
-  scales.impulsive =
-      speed_of_stream(of) > 0 || dot(first.velocity, first.velocity) > 0 || first.rate != 0;
+  scales.impulsive = speed_of_stream(of) > 0 || begins_at_once(motion);
+  for (const body::BodySettings& one : every_body(of))
+    scales.impulsive |= begins_at_once(body::motion_of(std::nullopt, one.motion));
   return scales;
 }
 

@@ -92,7 +92,7 @@ std::vector<Key> keys(ReleaseSettings& tracers) {
       key("line", tracers.line, anything, "L",
           "[x0, y0, x1, y1]: they begin along this line, from end to end"),
       key("around", tracers.around, positive, "L",
-          "instead of `tracers.line`: they begin all around the body as it stands then, so far "
+          "instead of `tracers.line`: they begin all around each body as it stands then, so far "
           "from its wall"),
       key("count", tracers.count, {.low = 1, .high = 1e6, .words = "1 to 1000000 were expected"},
           "", "so many of them; a single one begins at the first end of its line"),

@@ -59,7 +59,7 @@ struct OutputSettings {
 };
 
 /// Tracers that are released together: `count` of them along line = [x0, y0, x1, y1], from end to
-/// end, or evenly around the body, at the distance `around` from its wall [L]; at the first step
+/// end, or evenly around each body, at the distance `around` from its wall [L]; at the first step
 /// that is not before t = `from`, and if there is `every`, so often again [T].
 struct ReleaseSettings {
   std::optional<std::array<double, 4>> line{};

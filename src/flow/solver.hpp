@@ -96,6 +96,10 @@ class Solver {
   /// is 0, and within a body that turns it is the body's own. Empty of methods that tell none.
   virtual std::vector<double> stream_function(tree::Points) const { return {}; }
 
+  /// Pressure per unit density [L^2/T^2] at points beyond that far away, in a frame at rest; 0
+  /// within a body. Empty of a body just set off at once, and of methods that tell none.
+  virtual std::vector<double> pressure(tree::Points) const { return {}; }
+
   virtual FrameTable frame_table() const = 0;
   virtual std::vector<double> frame_rows() const = 0;  ///< of the flow as it is, one after another
 

@@ -58,6 +58,7 @@ class SphSolver final : public flow::Solver {
   std::string route() const override { return "wall"; }
   double drift() const override { return drift_; }
   flow::Samples sample(tree::Points at) const override;
+  std::vector<double> pressure(tree::Points at) const override;
   flow::FrameTable frame_table() const override;
   std::vector<double> frame_rows() const override;
   void save(flow::State& state) const override;
@@ -108,6 +109,10 @@ class SphSolver final : public flow::Solver {
   Traction traction() const;
   double moment_of_frame() const;
   double bubble_length() const;
+  struct AmongParticles;
+  AmongParticles among_particles(tree::Points at) const;
+  double head_beyond_vorticity(Vec2 at) const;
+  double far_pressure() const;
 
   SphSetup setup_;
   Cloud cloud_;

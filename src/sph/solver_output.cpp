@@ -93,8 +93,13 @@ flow::Columns SphSolver::columns() const {
           {"kind", "", std::move(kind)}};
 }
 
-/// By the particles, or the far field where there are none.
-flow::Samples SphSolver::sample(tree::Points at) const {
+/// Places as the particles see them, and what is interpolated there.
+struct SphSolver::AmongParticles {
+  std::vector<double> x, y;
+  Interpolated found;
+};
+
+SphSolver::AmongParticles SphSolver::among_particles(tree::Points at) const {
   const std::size_t m = at.size();
   std::vector<double> x(m), y(m);
   for (std::size_t k = 0; k < m; ++k)
@@ -104,11 +109,18 @@ flow::Samples SphSolver::sample(tree::Points at) const {
   const double period = setup_.operators.period;
   for (std::vector<double>* places : {&x, &y})
     for (double& one : *places) one = wrapped(one, period);
-  auto [u, v, omega, covered] = interpolate(cloud_, slopes_, all, {x, y}, period);
+  Interpolated found = interpolate(cloud_, slopes_, all, {x, y}, period);
+  return {std::move(x), std::move(y), std::move(found)};
+}
+
+/// By the particles, or the far field where there are none.
+flow::Samples SphSolver::sample(tree::Points at) const {
+  auto [x, y, found] = among_particles(at);
+  auto& [u, v, omega, p, covered] = found;
   if (!setup_.shape) return {std::move(u), std::move(v), std::move(omega)};
   std::vector<double> far_x, far_y;
   std::vector<std::size_t> far;
-  for (std::size_t k = 0; k < m; ++k) {
+  for (std::size_t k = 0; k < x.size(); ++k) {
     const bool body = setup_.shape->distance({x[k], y[k]}) < 0;
     if (body) u[k] = v[k] = omega[k] = 0;
     if (!body && !covered[k]) far.push_back(k), far_x.push_back(x[k]), far_y.push_back(y[k]);
@@ -117,6 +129,63 @@ flow::Samples SphSolver::sample(tree::Points at) const {
   far_field_.velocity(far_x, far_y, setup_.ambient.stream(time_), far_u, far_v);
   for (std::size_t k = 0; k < far.size(); ++k) u[far[k]] = far_u[k], v[far[k]] = far_v[k];
   return {std::move(u), std::move(v), std::move(omega)};
+}
+
+/// p + |u|^2/2 - |U|^2/2 in a frame at rest, far from all vorticity, by all of it and by the wall
+/// (vortex/pressure.hpp).
+double SphSolver::head_beyond_vorticity(Vec2 at) const {
+  const BiotSavart::Vortices& all = far_field_.vortices();
+  const auto dipole = [](Vec2 strength, Vec2 from) {
+    return dot(strength, from) / (2 * std::numbers::pi * dot(from, from));
+  };
+  double sum = 0;
+  for (std::size_t j = 0; j < all.x.size(); ++j)
+    sum += all.gamma[j] * dipole({all.v[j], -all.u[j]}, at - Vec2{all.x[j], all.y[j]});
+  const double rate = setup_.ambient.motion.spin.rate;
+  for (std::size_t i = 0; i < cloud_.size(); ++i) {
+    if (cloud_.kind[i] != ParticleKind::wall) continue;
+    const Vec2 x = cloud_.at(i), n = cloud_.normal(i);
+    const double mu = cloud_.p[i] + rate * rate / 2 * dot(x, x),
+                 lambda = setup_.ambient.nu * wall_vorticity_[cloud_.place[i]];
+    sum += setup_.wall_spacing * dipole(mu * n - lambda * left_of(n), at - x);
+  }
+  return sum;
+}
+
+/// What the particles' own pressure, that of the body's frame but for X'' x, has far away: as it
+/// goes on from where fluid comes into the box.
+double SphSolver::far_pressure() const {
+  const Vec2 stream = setup_.ambient.stream(time()),
+             faster = setup_.ambient.motion.at(time()).acceleration;
+  const bool still = dot(stream, stream) == 0;
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < cloud_.size(); ++i) {
+    const bool comes_in = still || dot(cloud_.normal(i), stream) > 0;
+    if (cloud_.kind[i] != ParticleKind::outer || !comes_in) continue;
+    const Vec2 x = cloud_.at(i), u = cloud_.velocity(i);
+    sum += cloud_.p[i] - dot(faster, x) + (dot(u, u) - dot(stream, stream)) / 2 -
+           head_beyond_vorticity(x);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+/// None of an impulsive start, nor where the places reach beyond the particles. In a periodic box
+/// its mean is 0.
+std::vector<double> SphSolver::pressure(tree::Points at) const {
+  if (setup_.shape && steps_ == 0) return {};
+  auto [x, y, found] = among_particles(at);
+  std::vector<double>& p = found.p;
+  if (!setup_.shape) return std::move(p);
+  const double far = far_pressure();
+  const Vec2 faster = setup_.ambient.motion.at(time()).acceleration;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const bool body = setup_.shape->distance({x[k], y[k]}) < 0;
+    if (!body && !found.covered[k]) return {};
+    p[k] = body ? 0 : p[k] - dot(faster, {x[k], y[k]}) - far;
+  }
+  return std::move(p);
 }
 
 flow::FrameTable SphSolver::frame_table() const {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "body/group.hpp"
 #include "vortex/blobs/lattice.hpp"
 #include "vortex/choice/scales.hpp"
 #include "vortex/tuning.hpp"
@@ -62,30 +61,17 @@ Blobs outside(const body::Shape& shape, const Blobs& all) {
   return kept;
 }
 
-/// As seen from the first of them.
-std::vector<WallBody> wall_bodies(const body::Bodies& bodies) {
+/// As seen from the first of them. One alone turns with the frame.
+std::shared_ptr<const MovingWall> wall_of(const body::Bodies& bodies) {
+  if (bodies.empty()) return nullptr;
+  const body::Body& first = bodies.front();
   std::vector<WallBody> all;
+  std::vector<body::Motion> own;
   for (const body::Body& one : bodies) {
-    const Vec2 at = one.centre - bodies.front().centre;
-    if (all.empty())
-      all.push_back({one.shape, one.panels});
-    else
-      all.push_back({std::make_shared<body::Placed>(one.shape, at), one.panels, at});
+    all.push_back({one.shape, one.panels, one.centre - first.centre});
+    own.push_back(one.own);
   }
-  return all;
-}
-
-bool turns(const body::Bodies& bodies) {
-  return std::ranges::any_of(
-      bodies, [](const body::Body& one) { return one.motion.turns() || one.own.turns(); });
-}
-
-/// The wall, and what goes with bodies that turn.
-void add_walls(Setup& made, const body::Bodies& bodies) {
-  const std::vector<WallBody> all = wall_bodies(bodies);
-  made.wall = std::make_unique<Wall>(all);
-  if (turns(bodies)) made.turning = turnings(*made.wall, all);
-  made.blobs = outside(made.wall->shape(), made.blobs);
+  return std::make_shared<MovingWall>(std::move(all), std::move(own), first.motion.turns());
 }
 
 std::vector<body::Motion> own_motions(const body::Bodies& bodies) {
@@ -101,8 +87,9 @@ Setup setup_of(const VortexCase& scene) {
   const flow::Scales scales = flow::scales_of(scene);
   const body::Bodies bodies = flow::bodies_of(scene);
   const body::Motion motion = bodies.empty() ? body::Motion{} : bodies.front().motion;
+  made.wall = wall_of(bodies);
   made.blobs = turned(initial_blobs(scene), Turn(-motion.at(0).angle));
-  if (!bodies.empty()) add_walls(made, bodies);
+  if (made.wall) made.blobs = outside(made.wall->at(0)->wall.shape(), made.blobs);
   made.scales = scales;
   made.origin = origin_of(scene);
   made.box = box_of(scene.merging);
@@ -128,9 +115,10 @@ Setup setup_of(const VortexCase& scene) {
                   .sigma_max = std::sqrt(scene.merging.cap) * scene.cores.sigma_max},
       .faintest = made.wall ? faintest_kept * scales.speed * scales.length : 0,
       .unfelt = merged_unfelt * scales.speed,
-      .wall = made.wall.get(),
+      .moving = made.wall.get(),
       .sums = sums_of(scene.velocity),
   };
+  stand(made.problem, 0);
   made.crowding = crowding(scene);
   made.splits_endlessly = splits_endlessly(scene);
   return made;

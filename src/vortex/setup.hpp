@@ -23,14 +23,12 @@ struct Origin {
 ///
 /// wall     none in free space; `problem` points at it. It, the problem and the blobs are as seen
 ///          from `origin`, in the axes of the body
-/// turning  of each body, where any turns
 /// box      in the scene: blobs that leave it are taken away
 /// held_blobs        more the machine's memory does not hold
 /// crowding          how many times the usual number of blobs mergers will leave
 /// splits_endlessly  children are too wide to merge
 struct Setup {
-  std::unique_ptr<Wall> wall{};
-  std::vector<Turning> turning{};
+  std::shared_ptr<const MovingWall> wall{};
   Problem problem;
   Blobs blobs{};
   flow::Scales scales{};

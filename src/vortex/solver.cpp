@@ -9,6 +9,7 @@
 #include "flow/near_wake.hpp"
 #include "vortex/blobs/energy.hpp"
 #include "vortex/blobs/moments.hpp"
+#include "vortex/pressure.hpp"
 #include "vortex/stream_function.hpp"
 #include "vortex/tuning.hpp"
 #include "vortex/wall/vorticity.hpp"
@@ -111,8 +112,8 @@ void restore_loads(const flow::State& state, std::size_t bodies, Wake& wake) {
 
 VortexSolver::VortexSolver(Setup setup)
     : setup_(std::move(setup)), blobs_(std::move(setup_.blobs)) {
-  setup_.problem.wall = wall();
-  setup_.problem.turning = setup_.turning;
+  setup_.problem.moving = setup_.wall.get();
+  stand(setup_.problem, 0);
   setup_.problem.box = box_at(0);
   take(start(blobs_, setup_.problem));
   second_moment_at_start_ = flow::measured(measures_, "second_moment");
@@ -177,6 +178,7 @@ void VortexSolver::step(const tree::Phase& phase) {
   problem.outflow = wake.outflow;
   problem.drifting = std::move(wake.drifting);
   problem.time = later;
+  stand(problem, later);
   take(std::move(wake));
   drift_ = std::max(drift_, drift_now());
 }
@@ -195,8 +197,9 @@ flow::Measures VortexSolver::measure() const {
   const Invariants now = invariants(blobs_, shape());
   const Flow& flow = setup_.problem.flow;
   double circulation = now.circulation + wake_.outflow.gamma;
-  for (std::size_t k = 0; k < setup_.turning.size(); ++k)
-    circulation += flow.rate(k, time()) * setup_.turning[k].circulation;
+  const auto turning = setup_.problem.turning;
+  for (std::size_t k = 0; k < turning.size(); ++k)
+    circulation += flow.rate(k, time()) * turning[k].circulation;
   Vec2 moment = wall() ? wake_.moment : now.moment + wake_.outflow.moment;
   // Beside a body all circulation adds up to 0, and its moment is the same from anywhere.
   const Vec2 from = wall() ? Vec2{} : origin();
@@ -223,6 +226,8 @@ flow::Measures VortexSolver::measure() const {
       {"plus_y", "L", elsewhere ? plus.y + from.y : plus.y},
   };
   flow::add_place(measures, flow.motion, time());
+  for (std::size_t k = 0; k < flow.own.size(); ++k)
+    flow::add_place(measures, flow.own[k], time(), "_" + std::to_string(k + 1));
   return measures;
 }
 
@@ -279,13 +284,14 @@ double VortexSolver::moment_of_frame(std::size_t body) const {
 }
 
 Vec2 VortexSolver::acceleration_of_centroid(std::size_t body) const {
-  const body::Kinematics now = setup_.problem.flow.motion.at(time());
-  if (setup_.turning.empty()) return now.acceleration;
-  const Turning& turning = setup_.turning[body];
+  const body::Kinematics now = setup_.problem.flow.motion.at(time()),
+                         own = setup_.problem.flow.own_at(body, time());
+  const Vec2 centre = now.acceleration + Turn(now.angle)(own.acceleration);
+  if (setup_.problem.turning.empty()) return centre;
+  const Turning& turning = setup_.problem.turning[body];
   const Vec2 arm = Turn(now.angle)(2 / turning.circulation * turning.of_centroid);
-  const body::Kinematics own = setup_.problem.flow.own_at(body, time());
   const double rate = now.rate + own.rate;
-  return now.acceleration + (now.spin_up + own.spin_up) * left_of(arm) - rate * rate * arm;
+  return centre + (now.spin_up + own.spin_up) * left_of(arm) - rate * rate * arm;
 }
 
 double VortexSolver::drift_now() const {
@@ -317,6 +323,14 @@ std::vector<double> VortexSolver::stream_function(tree::Points at) const {
   return psi;
 }
 
+/// None of an impulsive start, where it is infinite.
+std::vector<double> VortexSolver::pressure(tree::Points at) const {
+  if (wall() && steps_ == 0) return {};
+  std::vector<double> x(at.x.begin(), at.x.end()), y(at.y.begin(), at.y.end());
+  from_scene(x, y, origin());
+  return pressure_at({x, y}, blobs_, setup_.problem, {wake_.pressure_slope, wake_.wall_vorticity});
+}
+
 flow::FrameTable VortexSolver::frame_table() const {
   if (wall() && wall()->rings().size() > 1)
     return {"wall.csv", {"t", "T", "body", "angle_deg", "vorticity", "sheet", "cp", "cf"}};
@@ -342,7 +356,8 @@ std::vector<double> VortexSolver::frame_rows() const {
     const std::size_t body = wall()->ring_of(i);
     const Vec2 d = axes(wall()->middle(i) - wall()->rings()[body].centre);
     const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
-    const double as_a_whole = !setup_.turning.empty() ? 2 * setup_.problem.flow.rate(body, t) : 0;
+    const double as_a_whole =
+        !setup_.problem.turning.empty() ? 2 * setup_.problem.flow.rate(body, t) : 0;
     const double friction = setup_.problem.flow.nu * (wake_.wall_vorticity[i] - as_a_whole);
     rows.insert(rows.end(), {t, T});
     if (wall()->rings().size() > 1) rows.push_back(static_cast<double>(body + 1));
@@ -404,6 +419,7 @@ void VortexSolver::restore(long steps, const flow::Columns& columns, const flow:
   steps_ = steps;
   Problem& problem = setup_.problem;
   problem.time = time_of(steps);
+  stand(problem, problem.time);
   const bool elsewhere = told_elsewhere();
   blobs_ = {elsewhere ? flow::saved(state, "x_in_flow") : flow::column(columns, "x"),
             elsewhere ? flow::saved(state, "y_in_flow") : flow::column(columns, "y"),

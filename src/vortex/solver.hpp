@@ -40,6 +40,7 @@ class VortexSolver final : public flow::Solver {
   double drift() const override { return drift_; }
   flow::Samples sample(tree::Points at) const override;
   std::vector<double> stream_function(tree::Points at) const override;
+  std::vector<double> pressure(tree::Points at) const override;
   flow::FrameTable frame_table() const override;
   std::vector<double> frame_rows() const override;
   flow::Closing closing() const override;
@@ -49,7 +50,7 @@ class VortexSolver final : public flow::Solver {
   const Blobs& blobs() const { return blobs_; }  ///< as seen from the origin of the setup
 
  private:
-  const Wall* wall() const { return setup_.wall.get(); }
+  const Wall* wall() const { return setup_.problem.wall; }
   const body::Shape* shape() const { return wall() ? &wall()->shape() : nullptr; }
   Vec2 origin() const { return setup_.origin.at(time()); }
   Turn axes_at(double time) const;

@@ -2,278 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <stdexcept>
 
-#include "base/ordered_sum.hpp"
-#include "flow/near_wake.hpp"
-#include "fmm/plan.hpp"
-#include "vortex/cores/folded_core.hpp"
+#include "vortex/stepping/around.hpp"
+#include "vortex/stepping/release.hpp"
 #include "vortex/transport/convect_strained.hpp"
 #include "vortex/transport/particle_exchange.hpp"
 #include "vortex/transport/random_walk.hpp"
 #include "vortex/transport/spread_cores.hpp"
 #include "vortex/tuning.hpp"
-#include "vortex/wall/forces.hpp"
 
 namespace vortree::vortex {
+
+void stand(Problem& p, double time) {
+  if (!p.moving) return;
+  p.standing = p.moving->at(time);
+  p.wall = &p.standing->wall;
+  p.turning = p.standing->turning;
+}
+
 namespace {
-
-double total(std::span<const double> gamma) {
-  return ordered_sum(gamma.size(), [&](std::size_t first, std::size_t last) {
-    return std::reduce(gamma.begin() + first, gamma.begin() + last);
-  });
-}
-
-void add_stream(Velocities& u, Vec2 stream) {
-  for (double& a : u.u) a += stream.x;
-  for (double& a : u.v) a += stream.y;
-}
-
-/// What surrounds the blobs at one time: the stream, and how fast each body turns.
-struct Around {
-  Vec2 stream;
-  std::vector<double> rates;
-
-  Around(const Problem& p, double time) : stream(p.flow.stream_at(time)) {
-    for (std::size_t k = 0; k < p.turning.size(); ++k) rates.push_back(p.flow.rate(k, time));
-  }
-
-  double of_bodies(const Problem& p) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < rates.size(); ++k) sum += rates[k] * p.turning[k].circulation;
-    return sum;
-  }
-};
-
-void add(std::vector<double>& sum, double weight, std::span<const double> of) {
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * of[i];
-}
-
-/// The slip at the wall of all that moves fluid but the sheet.
-std::vector<double> slip_of(const Blobs& blobs, const FoldedBlobs& at, const Velocities& at_samples,
-                            const Problem& p, const Around& around) {
-  std::vector<double> slip = p.wall->slip(around.stream, at_samples, at, blobs.gamma);
-  for (std::size_t k = 0; k < p.turning.size(); ++k) add(slip, around.rates[k], p.turning[k].slip);
-  return slip;
-}
-
-/// The sheet that moves fluid, and with it those of bodies that turn.
-std::vector<double> with_turning(std::vector<double> sheet, const Problem& p,
-                                 const Around& around) {
-  for (std::size_t k = 0; k < p.turning.size(); ++k)
-    add(sheet, around.rates[k], p.turning[k].sheet);
-  return sheet;
-}
-
-Blobs felt(const Problem& p) {
-  return p.box ? felt(p.drifting, *p.box) : Blobs{};
-}
-
-void append(Blobs& blobs, const Blobs& more) {
-  for (std::size_t i = 0; i < more.size(); ++i)
-    blobs.append(more.centre(i), more.gamma[i], more.core(i));
-}
-
-/// The blobs, and after them those that have left and are felt.
-Blobs with_drifting(const Blobs& blobs, const Problem& p) {
-  Blobs all = blobs;
-  append(all, felt(p));
-  return all;
-}
-
-/// Of all sheets, those that leave no circulation in fluid and bodies together: each body's own is
-/// that of its spin-up since the step began, or the start at once; what is missing besides, since
-/// faint blobs are let go or vorticity was there from the start, belongs to all. `all` has blobs
-/// that drift, too.
-std::vector<double> sheet_circulations(const Blobs& all, const Problem& p, const Around& around,
-                                       bool at_once = false) {
-  double missing =
-      -total(all.gamma) - (p.outflow.gamma - total(felt(p).gamma)) - around.of_bodies(p);
-  if (p.wall->rings().size() == 1 || p.turning.empty()) return p.wall->shared(missing);
-  std::vector<double> own;
-  for (std::size_t k = 0; k < p.turning.size(); ++k) {
-    const double before = at_once ? 0 : p.flow.rate(k, p.time);
-    own.push_back((before - around.rates[k]) * p.turning[k].circulation);
-    missing -= own.back();
-  }
-  add(own, 1, p.wall->shared(missing));
-  return own;
-}
-
-fmm::Sources as_sources(const Blobs& blobs, const FoldedBlobs& at) {
-  return {at.x, at.y, blobs.gamma, at.sigma};
-}
-
-/// A point has no core of its own that could enter a mean.
-fmm::Options at_points(fmm::Options sums) {
-  sums.cores = fmm::Cores::source;
-  return sums;
-}
-
-/// Velocity of the blobs at their folded centroids, with stream and wall; and its gradient, if
-/// wanted, without the sheet's.
-Velocities advecting_velocity(const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
-                              double time, Gradients* gradients) {
-  const Around around(p, time);
-  Velocities u(blobs.size());
-  Velocities at_samples(p.wall ? 2 * p.wall->panels() : 0);
-  FoldedBlobs advecting = at;
-  if (p.advecting_cores != 1)
-    for (double& sigma : advecting.sigma) sigma *= p.advecting_cores;
-  const fmm::Sources sources = as_sources(blobs, advecting);
-  const tree::Points samples = p.wall ? p.wall->samples() : tree::Points{};
-  const fmm::Plan plan(sources, p.sums);
-  if (gradients) {
-    *gradients = Gradients(blobs.size());
-    plan.velocity_and_gradient(u.u, u.v, gradients->ux, gradients->uy, gradients->vx);
-  } else {
-    plan.velocity(u.u, u.v);
-  }
-  plan.velocity_bare(samples, at_samples.u, at_samples.v);
-  add_stream(u, around.stream);
-  if (p.wall) {
-    const auto slip = slip_of(blobs, at, at_samples, p, around);
-    const auto sheet = p.wall->sheet(slip, sheet_circulations(blobs, p, around));
-    p.wall->add_velocity(with_turning(sheet, p, around), at_points(p.sums), {at.x, at.y}, u,
-                         at.wall);
-  }
-  return u;
-}
-
-/// Slip at the wall, the sheet that cancels it there, and velocities at points of the fluid.
-struct AtRest {
-  std::vector<double> slip, sheet;
-  Velocities u;
-};
-
-/// The sheet that cancels the slip which the blobs leave at the wall, and the velocity of stream,
-/// blobs and sheet together.
-AtRest with_sheet(tree::Points points, const Blobs& blobs, const FoldedBlobs& at, const Problem& p,
-                  double time, bool at_once = false) {
-  const Around around(p, time);
-  AtRest result{{}, {}, Velocities(points.size())};
-  Velocities at_samples(2 * p.wall->panels());
-  const fmm::Plan plan(as_sources(blobs, at), at_points(p.sums));
-  plan.velocity_bare(p.wall->samples(), at_samples.u, at_samples.v);
-  plan.velocity(fmm::Targets{points.x, points.y, {}}, result.u.u, result.u.v);
-  result.slip = slip_of(blobs, at, at_samples, p, around);
-  result.sheet = p.wall->sheet(result.slip, sheet_circulations(blobs, p, around, at_once));
-  add_stream(result.u, around.stream);
-  p.wall->add_velocity(with_turning(result.sheet, p, around), at_points(p.sums), points, result.u);
-  return result;
-}
-
-/// A sheet that is itself again, to the fourth power of a panel, when it has been smoothed along
-/// the wall by so much variance beyond its own, in squares of a panel's length.
-/// `sheet` is that of one body.
-std::vector<double> sharpened(std::span<const double> sheet, double variance) {
-  const std::size_t n = sheet.size();
-  std::vector<double> result(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double around = sheet[(i + 1) % n] + sheet[(i + n - 1) % n];
-    result[i] = sheet[i] - variance / 2 * (around - 2 * sheet[i]);
-  }
-  return result;
-}
-
-/// What the sheet of a body becomes: blobs of this core across the wall; along it as long as a
-/// panel, which leaves a ripple of 1e-4 between neighbors.
-void release(std::span<const double> sheet, const Wall& wall, const Ring& ring, double core,
-             Blobs& blobs) {
-  const double b = ring.length, along = std::max(core, b);
-  const Covariance v{core * core / 2, 0, along * along / 2};
-  const std::vector<double> sharp = sharpened(ring.of(sheet), (v.tt - v.nn) / (b * b));
-  for (std::size_t i = ring.first; i < ring.end(); ++i) {
-    const body::WallPoint at = wall.shape().nearest(wall.middle(i));
-    blobs.append(wall.middle(i) - folded::sag(v.nn, v.tt, at.curvature) * at.normal,
-                 sharp[i - ring.first] * b, core_of(v, at.normal));
-  }
-}
-
-Blobs released(std::span<const double> sheet, const Wall& wall, double core) {
-  Blobs blobs;
-  for (const Ring& ring : wall.rings()) release(sheet, wall, ring, core, blobs);
-  return blobs;
-}
-
-/// Whether a core is no wider than half of what the wall is bent by anywhere.
-bool thin_beside(const Wall& wall, double core) {
-  return std::ranges::all_of(wall.middles(), [&](Vec2 at) {
-    return std::abs(wall.shape().nearest(at).curvature) * core <= 0.5;
-  });
-}
-
-/// The sheet that cancels the slip from where it acts once it is released, some way m off the wall:
-/// the sheet at the wall would leave the share n m/R of mode n of a circle's slip, this one its
-/// square. Around an edge sharper than the core no such sheet is to be had.
-std::vector<double> as_released(const AtRest& at_rest, const Problem& p, double core) {
-  if (!thin_beside(*p.wall, core)) return at_rest.sheet;
-  std::vector<double> sheet = at_rest.sheet;
-  const Blobs fresh = released(sheet, *p.wall, core);
-  const FoldedBlobs at = fold(fresh, &p.wall->shape());
-  Velocities at_samples(2 * p.wall->panels());
-  fmm::Plan(as_sources(fresh, at), at_points(p.sums))
-      .velocity_bare(p.wall->samples(), at_samples.u, at_samples.v);
-  std::vector<double> left = p.wall->slip({}, at_samples, at, fresh.gamma);
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] += at_rest.slip[i];
-  const std::vector<double> more = p.wall->sheet(left, 0);
-  for (std::size_t i = 0; i < more.size(); ++i) sheet[i] += more[i];
-  return sheet;
-}
-
-/// What a body's own turning has to do with pressure in the step that ends at `time`, all told in
-/// axes that do not turn. Its wall is driven by pressure beyond what the frame is, and the frame's
-/// own share (Flow::motion) is that of the body's centroid, not of its centre.
-void add_turning_of(std::size_t k, Wake& wake, const Problem& p, double time) {
-  const double now = p.flow.rate(k, time), before = p.flow.rate(k, time - p.dt),
-               between = p.flow.rate(k, time - p.dt / 2);
-  const auto axes = [&](double t) { return Turn(p.flow.motion.at(t).angle); };
-  const Vec2 arm = left_of(p.turning[k].of_centroid);
-  const std::vector<double> driven =
-      gained_along_wall(*p.wall, p.wall->rings()[k], now - before, between, p.dt);
-  Load& pressure = wake.pressure[k];
-  pressure += pressure_loads(driven, *p.wall, p.dt)[k];
-  pressure.force = axes(time - p.dt / 2)(pressure.force) -
-                   1 / p.dt * (now * axes(time)(arm) - before * axes(time - p.dt)(arm));
-  add(wake.pressure_slope, -1 / p.dt, driven);
-  wake.friction[k].moment -= 2 * p.flow.nu * now * p.turning[k].circulation;
-  wake.friction[k].force = axes(time)(wake.friction[k].force);
-  wake.moment += now * p.turning[k].moment;
-}
-
-/// `impulsive`: the slip has come about at once, and so has the sheet, on the wall.
-///
-/// found  wall points nearest to the blobs' centres
-Wake cancel_slip(Blobs& blobs, const WallPoints& found, const Problem& p, double time, double core,
-                 bool impulsive) {
-  const Blobs all = with_drifting(blobs, p);
-  const FoldedBlobs at = fold(all, &p.wall->shape(), found);
-  Wake wake;
-  const bool stream = dot(p.flow.stream, p.flow.stream) > 0 && !p.flow.motion.moves();
-  const flow::WakeLine line =
-      stream && p.wall->rings().size() == 1
-          ? flow::wake_line(p.wall->middles(), p.wall->shape(), p.flow.stream)
-          : flow::WakeLine{};
-  const AtRest at_rest = with_sheet(line.points(), all, at, p, time, impulsive);
-  wake.sheet = impulsive ? at_rest.sheet : as_released(at_rest, p, core);
-  const Blobs fresh = released(wake.sheet, *p.wall, core);
-  wake.bubble_length = flow::bubble_length(line, at_rest.u.u, at_rest.u.v);
-  const Vec2 of_sheet =
-      impulsive ? p.wall->first_moment(wake.sheet) : invariants(fresh, &p.wall->shape()).moment;
-  wake.moment = invariants(blobs, at).moment + of_sheet + p.outflow.moment;
-  WallShear shear = wall_shear(blobs, wake.sheet, *p.wall, p.flow.nu, p.dt, p.sigma_0, found);
-  wake.wall_vorticity = std::move(shear.vorticity);
-  wake.friction = std::move(shear.friction);
-  wake.pressure = pressure_loads(wake.sheet, *p.wall, p.dt);
-  wake.pressure_slope.resize(p.wall->panels());
-  add(wake.pressure_slope, -1 / p.dt, wake.sheet);
-  for (std::size_t k = 0; k < p.turning.size(); ++k) add_turning_of(k, wake, p, time);
-  if (p.flow.motion.turns()) wake.moment = Turn(p.flow.motion.at(time).angle)(wake.moment);
-  append(blobs, fresh);
-  return wake;
-}
 
 /// Whether cores of free space are strained.
 bool strains_freely(const Problem& p) {
@@ -345,22 +93,38 @@ TurningAxes turning_axes(const Problem& p) {
   return [&p](double after) { return p.flow.turned(p.time, after); };
 }
 
+/// The wall as it goes on in a step.
+WallOnItsWay wall_on_its_way(Problem& p) {
+  if (!p.wall) return {};
+  const auto shape_after = [&p](double after) {
+    stand(p, p.time + after);
+    return &p.wall->shape();
+  };
+  const auto turned = [&p](double arc, double after) {
+    const std::size_t body = p.wall->ring_at(arc);
+    return p.flow.own_at(body, p.time + after).angle - p.flow.own_at(body, p.time).angle;
+  };
+  return {shape_after, turned};
+}
+
 /// Carries all for a step. Those that drift go with the stream alone; what the others would have
 /// carried them beyond it belongs to the moment of what has left all the same: so much do they
-/// carry the others and the sheet the other way, and that is no force on the body.
+/// carry the others and the sheet the other way, and that is no force on the body. The wall goes on
+/// to where it is at the end.
 ///
 /// found    wall points nearest to the blobs' centres
 /// returns  those of where they have come to
-WallPoints carry(Blobs& blobs, Problem& p, const body::Shape* shape, bool strains,
-                 const WallPoints& found) {
+WallPoints carry(Blobs& blobs, Problem& p, bool strains, const WallPoints& found) {
   const Vec2 way = p.flow.way(p.time, p.dt);
   const std::size_t inside = blobs.size();
   const Blobs drifting = felt(p);
   append(blobs, drifting);
   const auto velocity = [&](const Blobs& b, const FoldedBlobs& at, double after, Gradients* g) {
+    stand(p, p.time + after);
     return advecting_velocity(b, at, p, p.time + after, g);
   };
-  WallPoints to = convect(blobs, velocity, shape, p.scheme, p.dt, strains, found, turning_axes(p));
+  WallPoints to =
+      convect(blobs, velocity, wall_on_its_way(p), p.scheme, p.dt, strains, found, turning_axes(p));
   const Turn turn(-p.flow.turned(p.time, p.dt));
   p.outflow.moment = turn(p.outflow.moment);
   for (std::size_t i = 0; i < drifting.size(); ++i)
@@ -431,17 +195,19 @@ StepCounts operator+(StepCounts a, const StepCounts& b) {
 }
 
 Wake step_in_one(Blobs& blobs, Problem p, std::uint64_t number, const tree::Phase& phase) {
-  const body::Shape* shape = p.wall ? &p.wall->shape() : nullptr;
+  stand(p, p.time);
+  const auto shape = [&] { return p.wall ? &p.wall->shape() : nullptr; };
   Wake wake;
   phase("convect");
   const bool spreads = p.flow.nu > 0 && p.diffusion == Diffusion::core_spreading;
   WallPoints found;
-  const auto spread = [&] { found = spread_cores(blobs, p.flow.nu, p.dt / 2, shape, found); };
+  const auto spread = [&] { found = spread_cores(blobs, p.flow.nu, p.dt / 2, shape(), found); };
   if (spreads) spread();
   if (strains_freely(p))
     carry_strained(blobs, p);
   else
-    found = carry(blobs, p, shape, spreads && shape, found);
+    found = carry(blobs, p, spreads && p.wall, found);
+  stand(p, p.time + p.dt);
   if (spreads)
     spread();
   else if (p.flow.nu > 0)
@@ -486,10 +252,12 @@ Wake step(Blobs& blobs, const Problem& whole, std::uint64_t number, const tree::
   return wake;
 }
 
-MovingBlobs moving(const Blobs& blobs, const Problem& p) {
+MovingBlobs moving(const Blobs& blobs, const Problem& p, WithSlope wanted) {
   MovingBlobs all{with_drifting(blobs, p), {}, Velocities()};
+  if (!p.wall) all.blobs = Halves(all.blobs).parts;
   all.at = fold(all.blobs, p.wall ? &p.wall->shape() : nullptr);
-  all.u = advecting_velocity(all.blobs, all.at, p, p.time, nullptr);
+  all.u = advecting_velocity(all.blobs, all.at, p, p.time,
+                             wanted == WithSlope::yes ? &all.slope : nullptr);
   return all;
 }
 

@@ -12,11 +12,10 @@
 #include "vortex/blobs/drifting.hpp"
 #include "vortex/blobs/invariants.hpp"
 #include "vortex/blobs/outflow.hpp"
+#include "vortex/moving_wall.hpp"
 #include "vortex/transport/convect.hpp"
 #include "vortex/transport/diffusion.hpp"
 #include "vortex/wall/forces.hpp"
-#include "vortex/wall/turning.hpp"
-#include "vortex/wall/wall.hpp"
 
 namespace vortree::vortex {
 
@@ -57,6 +56,7 @@ struct Flow {
 ///           `faintest` [m^2/s], 0: none; `outflow` all that have left in the steps before
 /// drifting  beside a wall those that have left the box and are still felt, by wall and blobs; the
 ///           body may feel as much as `unfelt` of a merger of them [m/s]
+/// moving    makes `wall` and `turning` stand as they do at a time; nullptr: they do as they are
 /// wall      nullptr: free space
 /// turning   of each body, or none where none turns
 /// most_blobs  a step that leaves more of them, or a substep, throws Multiplied
@@ -86,10 +86,15 @@ struct Problem {
   Outflow outflow{};
   Drifting drifting{};
   double unfelt = 1e-5;
+  const MovingWall* moving = nullptr;
+  std::shared_ptr<const Standing> standing{};
   const Wall* wall = nullptr;
   std::span<const Turning> turning{};
   fmm::Options sums;
 };
+
+/// Wall and turning of a problem become those of a time.
+void stand(Problem& problem, double time);
 
 /// How many blobs a step, in all its parts,
 ///
@@ -146,15 +151,19 @@ Wake start(Blobs& blobs, const Problem& problem);
 /// throws  std::invalid_argument for other diffusion than core spreading beside a wall; Multiplied
 Wake step(Blobs& blobs, const Problem& problem, std::uint64_t number, const tree::Phase& phase);
 
-/// Blobs and those that have left and are felt, how the wall folds them, and how they move.
+/// Blobs and those that have left and are felt, how the wall folds them, and how they move; in free
+/// space strained blobs are two halves (cores/halves.hpp).
 ///
-/// u  of each core as a whole, by stream, blobs and sheet
+/// u      of each core as a whole, by stream, blobs and sheet
+/// slope  its gradient, if it is wanted, averaged over the core; without the sheet's
 struct MovingBlobs {
   Blobs blobs;
   FoldedBlobs at;
   Velocities u;
+  Gradients slope{};
 };
-MovingBlobs moving(const Blobs& blobs, const Problem& problem);
+enum class WithSlope : bool { no, yes };
+MovingBlobs moving(const Blobs& blobs, const Problem& problem, WithSlope wanted = WithSlope::no);
 
 /// Velocity at points of the fluid: stream, blobs and the sheet that holds the body's interior at
 /// rest.

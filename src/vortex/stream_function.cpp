@@ -42,19 +42,21 @@ double mean(std::span<const double> values) {
 /// Within a body what its own motion has; at its wall the mean of both is `at_wall`.
 void go_on_within(const Problem& p, std::size_t body, double at_wall, tree::Points points,
                   std::span<double> psi) {
-  const double rate = p.turning.empty() ? 0 : p.flow.rate(body, p.time);
+  const double rate = p.flow.rate(body, p.time);
+  const Vec2 velocity = p.flow.own_at(body, p.time).velocity;
   const Ring& ring = p.wall->rings()[body];
-  std::vector<double> squares;
-  for (std::size_t i = ring.first; i < ring.end(); ++i) {
-    const Vec2 arm = p.wall->middle(i) - ring.centre;
-    squares.push_back(dot(arm, arm));
-  }
-  const double square_at_wall = mean(squares);
+  const auto own = [&](Vec2 at) {
+    const Vec2 arm = at - ring.centre;
+    return velocity.x * arm.y - velocity.y * arm.x - rate / 2 * dot(arm, arm);
+  };
+  std::vector<double> along_wall;
+  for (std::size_t i = ring.first; i < ring.end(); ++i)
+    along_wall.push_back(own(p.wall->middle(i)));
+  const double own_at_wall = mean(along_wall);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const Vec2 at{points.x[k], points.y[k]}, arm = at - ring.centre;
+    const Vec2 at{points.x[k], points.y[k]};
     const body::WallPoint w = p.wall->shape().nearest(at);
-    if (w.distance < 0 && p.wall->ring_at(w.arc) == body)
-      psi[k] = at_wall - rate / 2 * (dot(arm, arm) - square_at_wall);
+    if (w.distance < 0 && p.wall->ring_at(w.arc) == body) psi[k] = at_wall + own(at) - own_at_wall;
   }
 }
 

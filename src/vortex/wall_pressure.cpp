@@ -43,13 +43,14 @@ double weighted_vorticity(const MovingBlobs& all, const Problem& p, std::span<co
 
 /// |u|^2/2 of the wall at each panel.
 std::vector<double> energy_of_wall(const Problem& p) {
-  std::vector<double> energy(p.wall->panels());
-  for (std::size_t k = 0; k < p.turning.size(); ++k) {
+  std::vector<double> energy;
+  for (std::size_t k = 0; k < p.wall->rings().size(); ++k) {
     const Ring& ring = p.wall->rings()[k];
+    const Vec2 of_centre = p.flow.own_at(k, p.time).velocity;
     const double rate = p.flow.rate(k, p.time);
     for (std::size_t i = ring.first; i < ring.end(); ++i) {
-      const Vec2 arm = p.wall->middle(i) - ring.centre;
-      energy[i] = rate * rate / 2 * dot(arm, arm);
+      const Vec2 u = of_centre + rate * left_of(p.wall->middle(i) - ring.centre);
+      energy.push_back(dot(u, u) / 2);
     }
   }
   return energy;
@@ -75,6 +76,12 @@ void integrate(std::span<const double> slope, double b, std::span<double> p) {
 
 }  // namespace
 
+std::vector<double> integrated(const Wall& wall, std::span<const double> slope) {
+  std::vector<double> p(wall.panels());
+  for (const Ring& ring : wall.rings()) integrate(ring.of(slope), ring.length, ring.of(p));
+  return p;
+}
+
 double pressure_level(const Blobs& blobs, const Problem& problem) {
   return level(moving(blobs, problem), problem, circling(*problem.wall, 0));
 }
@@ -82,8 +89,7 @@ double pressure_level(const Blobs& blobs, const Problem& problem) {
 std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
                                   std::span<const double> slope) {
   const Wall& wall = *problem.wall;
-  std::vector<double> p(wall.panels());
-  for (const Ring& ring : wall.rings()) integrate(ring.of(slope), ring.length, ring.of(p));
+  std::vector<double> p = integrated(wall, slope);
   const body::Kinematics between = problem.flow.motion.at(problem.time - problem.dt / 2);
   const Vec2 driven = Turn(-between.angle)(between.acceleration);
   for (std::size_t i = 0; i < p.size(); ++i) p[i] -= dot(driven, wall.middle(i));

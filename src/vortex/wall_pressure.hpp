@@ -22,7 +22,7 @@ namespace vortree::vortex {
 ///
 ///   1/(2 pi) oint w h ds = -1/(2 pi) int omega u.V dA = -1/(2 pi) sum gamma_i u_i.V(x_i),
 ///
-/// and on the wall u = Omega e x x. (Of a circle w = 1/R: the mean of the pressure.)
+/// and on the wall u is that of the body. (Of a circle w = 1/R: the mean of the pressure.)
 ///
 /// Of several bodies each has a Phi of its own, which is constant on every one of them, and whose
 /// flow V circles it alone: Phi then weights sums of dh/dn - (u x omega).n around bodies, which are
@@ -36,6 +36,9 @@ namespace vortree::vortex {
 /// cost   that of one velocity of all blobs, and one of the sheet for each body
 std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
                                   std::span<const double> slope);
+
+/// The integral of a slope around each body, from anywhere on; what would not close is spread evenly.
+std::vector<double> integrated(const Wall& wall, std::span<const double> slope);
 
 /// 1/(2 pi) oint w p ds of that pressure, of the first body.
 double pressure_level(const Blobs& blobs, const Problem& problem);

@@ -1,4 +1,4 @@
-#include "body/outline.hpp"
+#include "body/outlines/outline.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "body/extent.hpp"
-#include "body/outline.hpp"
+#include "body/outlines/outline.hpp"
 #include "some_bodies.hpp"
 
 using namespace vortree;

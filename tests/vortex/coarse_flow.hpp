@@ -4,17 +4,19 @@
 #include <memory>
 #include <numbers>
 #include <utility>
-#include <vector>
 
-#include "body/group.hpp"
 #include "vortex/setup.hpp"
 
 namespace vortree::test {
 
-/// A flow without a wall yet, coarse enough for a test beside bodies of length 1.
-inline vortex::Setup coarse_flow(const vortex::Flow& flow, double dt) {
-  const double nu = flow.nu;
-  vortex::Setup made{.problem = {.flow = flow,
+/// The flow past bodies of length 1 or so, the first at the origin, coarse enough for a test.
+///
+/// motion  of all, in whose frame all is computed
+/// own     of each in it
+inline vortex::Setup coarse_flow(std::vector<vortex::WallBody> bodies,
+                                 std::vector<body::Motion> own, const body::Motion& motion,
+                                 Vec2 stream, double nu, double dt) {
+  vortex::Setup made{.problem = {.flow = {stream, nu, motion, own},
                                  .dt = dt,
                                  .advecting_cores = std::numbers::sqrt2,
                                  .sigma_0 = std::sqrt(2 * nu * dt),
@@ -25,30 +27,16 @@ inline vortex::Setup coarse_flow(const vortex::Flow& flow, double dt) {
                                  .faintest = 1e-12,
                                  .sums = {.tolerance = 1e-5, .cores = fmm::Cores::mean}},
                      .scales = {.body = true, .impulsive = true}};
+  made.wall =
+      std::make_shared<vortex::MovingWall>(std::move(bodies), std::move(own), motion.turns());
   return made;
 }
 
-/// The flow past a body of length 1 at the origin.
+/// The same past a single one.
 inline vortex::Setup coarse_flow(std::unique_ptr<body::Shape> shape, const body::Motion& motion,
                                  Vec2 stream, double nu, double dt, int panels = 160) {
-  vortex::Setup made = coarse_flow({stream, nu, motion}, dt);
-  made.wall = std::make_unique<vortex::Wall>(std::move(shape), panels);
-  if (motion.turns()) made.turning = {vortex::Turning(*made.wall)};
-  return made;
-}
-
-/// One of several bodies, that stands at `centre`.
-inline vortex::WallBody standing(std::shared_ptr<const body::Shape> shape, Vec2 centre,
-                                 int panels = 160) {
-  return {std::make_shared<body::Placed>(std::move(shape), centre), panels, centre};
-}
-
-/// The flow past several bodies, which turn as flow.own says.
-inline vortex::Setup coarse_flow(const std::vector<vortex::WallBody>& bodies,
-                                 const vortex::Flow& flow, double dt) {
-  vortex::Setup made = coarse_flow(flow, dt);
-  made.wall = std::make_unique<vortex::Wall>(bodies);
-  if (!flow.own.empty()) made.turning = vortex::turnings(*made.wall, bodies);
+  vortex::Setup made = coarse_flow({{std::move(shape), panels}}, {{}}, motion, stream, nu, dt);
+  made.problem.flow.own.clear();
   return made;
 }
 

@@ -20,7 +20,7 @@ vortex::Setup cylinder() {
                                  .merging = {.tolerance = 0.1, .sigma_max = 0.1},
                                  .sums = {}},
                      .scales = {.body = true}};
-  made.wall = std::make_unique<vortex::Wall>(body::circle({}, 0.5), 16);
+  made.wall = std::make_shared<vortex::MovingWall>(body::circle({}, 0.5), 16);
   return made;
 }
 
@@ -77,7 +77,7 @@ TEST_CASE(
 
 TEST_CASE("the sheet of the start may split five times before it merges, which 597 a panel are") {
   auto flow = cylinder();
-  flow.wall = std::make_unique<vortex::Wall>(body::circle({}, 0.5), 500);
+  flow.wall = std::make_shared<vortex::MovingWall>(body::circle({}, 0.5), 500);
   vortex::Growth growth;
   growth.add(500);
   CHECK(growth.most(0.05, flow) == 500 * 1000);

@@ -3,7 +3,7 @@
 #include <complex>
 #include <numbers>
 
-#include "body/outline.hpp"
+#include "body/outlines/outline.hpp"
 #include "body/shapes/naca0012.hpp"
 #include "cylinder_flow.hpp"
 #include "flows.hpp"

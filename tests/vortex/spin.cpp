@@ -50,8 +50,7 @@ vortex::Setup spinning(double rate, Vec2 centre = {}) {
                                  .sums = {.tolerance = 1e-5, .cores = fmm::Cores::mean}},
                      .scales = {.body = true, .impulsive = true},
                      .origin = {centre}};
-  made.wall = std::make_unique<vortex::Wall>(body::circle({}, 0.5), 128);
-  made.turning = {vortex::Turning(*made.wall)};
+  made.wall = std::make_shared<vortex::MovingWall>(body::circle({}, 0.5), 128, true);
   return made;
 }
 
@@ -98,8 +97,8 @@ TEST_CASE("the flow around a cylinder that spins obeys the equation of diffusion
 TEST_CASE("the first sheet of a circle that spins is its wall's speed, all around") {
   vortex::Setup setup = spinning(2);
   vortex::Blobs blobs;
-  setup.problem.wall = setup.wall.get();
-  setup.problem.turning = setup.turning;
+  setup.problem.moving = setup.wall.get();
+  stand(setup.problem, 0);
   const vortex::Wake wake = vortex::start(blobs, setup.problem);
   for (const double gamma : wake.sheet) CHECK(gamma == Approx(-1).epsilon(1e-12));
   double sum = 0;

@@ -55,7 +55,8 @@ TEST_CASE("as an ellipse starts, the level of its pressure is that of potential 
   for (const auto& [a, b, incidence] :
        {std::array{0.5, 0.5, 0.0}, std::array{0.5, 0.3, 0.0}, std::array{0.5, 0.25, 0.4}}) {
     vortex::Setup setup = beside(body::ellipse({}, a, b, incidence));
-    setup.problem.wall = setup.wall.get();
+    setup.problem.moving = setup.wall.get();
+    stand(setup.problem, 0);
     vortex::Blobs blobs;
     vortex::start(blobs, setup.problem);
     const double c = (a + b) / 2, squares = (a * a - b * b) / 4;

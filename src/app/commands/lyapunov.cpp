@@ -209,6 +209,12 @@ void refuse_turning(const flow::Case& flow, const fs::path& folder) {
         fmt::format("{}: its body turns by motion.angle or motion.file; Lyapunov "
                     "exponents are told around bodies that do not",
                     folder.string()));
+  for (const body::BodySettings& body : flow::every_body(flow))
+    if (body.motion && body.motion->given_by_time())
+      throw io::InputError(fmt::format(
+          "{}: its bodies move against each other; Lyapunov exponents are told around bodies that "
+          "do not",
+          folder.string()));
 }
 
 }  // namespace

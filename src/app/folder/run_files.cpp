@@ -103,7 +103,8 @@ void RunFiles::require_outputs() const {
         scene_.check.wall_vorticity_reference, scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
   for (const body::BodySettings& body : flow::every_body(scene_))
-    if (body.file) inputs.push_back(io::reference_path(scene_, *body.file));
+    for (const auto& file : {body.file, body.motion ? body.motion->file : std::nullopt})
+      if (file) inputs.push_back(io::reference_path(scene_, *file));
   if (scene_.motion && scene_.motion->file)
     inputs.push_back(io::reference_path(scene_, *scene_.motion->file));
   std::vector<std::string> names = tables_.names();

@@ -28,7 +28,8 @@ io::Field picture(const flow::Solver& solver, const flow::OutputSettings& output
           .u = std::move(found.u),
           .v = std::move(found.v),
           .omega = std::move(found.omega),
-          .psi = solver.stream_function({x, y})};
+          .psi = solver.stream_function({x, y}),
+          .p = solver.pressure({x, y})};
 }
 
 }  // namespace vortree::app

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "body/outline.hpp"
+#include "body/outlines/outline.hpp"
 #include "body/shapes/shapes.hpp"
 #include "tree/base/told.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/rounded.hpp"
-#include "body/outline.hpp"
+#include "body/outlines/outline.hpp"
 #include "body/shapes/shapes.hpp"
 #include "tree/base/told.hpp"
 

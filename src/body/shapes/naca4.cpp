@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "body/outline.hpp"
+#include "body/outlines/outline.hpp"
 #include "body/shapes/from_points/crossing.hpp"
 #include "body/shapes/jet.hpp"
 #include "body/shapes/shapes.hpp"

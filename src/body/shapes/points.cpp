@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/rounded.hpp"
-#include "body/chain.hpp"
+#include "body/outlines/chain.hpp"
 #include "body/shapes/from_points/contour.hpp"
 #include "body/shapes/from_points/crossing.hpp"
 #include "body/shapes/from_points/spline.hpp"

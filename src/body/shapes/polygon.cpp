@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/rounded.hpp"
-#include "body/bend.hpp"
+#include "body/outlines/bend.hpp"
 #include "body/shapes/shapes.hpp"
 #include "tree/base/told.hpp"
 

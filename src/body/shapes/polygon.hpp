@@ -8,7 +8,7 @@ namespace vortree::body {
 
 /// A regular polygon about its centre, one side of which faces -x before it is turned clockwise by
 /// incidence (radians), with round corners, along which the curvature rises and falls smoothly
-/// (body/bend.hpp).
+/// (body/outlines/bend.hpp).
 ///
 /// radius  of the circle through its corners before they are rounded
 /// corner  the least radius of curvature, at the tips; a corner is twice as long as an arc would be

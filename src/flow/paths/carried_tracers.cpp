@@ -32,12 +32,11 @@ CarriedTracers::CarriedTracers(const std::vector<ReleaseSettings>& releases,
     : bodies_(bodies) {
   for (const ReleaseSettings& one : releases) {
     Released set{one, {}, {}};
-    for (int k = 0; k < one.count; ++k) {
-      const Vec2 at = one.line ? on_line(*one.line, k, one.count)
-                               : around_body(bodies.front(), *one.around, k, one.count);
-      set.x.push_back(at.x);
-      set.y.push_back(at.y);
-    }
+    const auto put = [&](Vec2 at) { set.x.push_back(at.x), set.y.push_back(at.y); };
+    for (int k = 0; one.line && k < one.count; ++k) put(on_line(*one.line, k, one.count));
+    for (std::size_t body = 0; one.around && body < bodies.size(); ++body)
+      for (int k = 0; k < one.count; ++k)
+        put(around_body(bodies[body], *one.around, k, one.count));
     sets_.push_back(std::move(set));
   }
 }
@@ -61,8 +60,9 @@ void CarriedTracers::release(double before, double now) {
 Vec2 CarriedTracers::place(const Released& set, std::size_t k, double now) const {
   const Vec2 at{set.x[k], set.y[k]};
   if (set.when.line) return at;
-  const body::Body& body = bodies_.front();
-  return body.centre + Turn(body.motion.at(now).angle)(at);
+  const body::Body& body = bodies_[k / static_cast<std::size_t>(set.when.count)];
+  const body::Kinematics own = body.own.at(now);
+  return body.centre + own.place + Turn(body.motion.at(now).angle + own.angle)(at);
 }
 
 void CarriedTracers::sample(const Solver& solver) {

@@ -27,7 +27,7 @@ FourPoints four_around(double place, int points) {
 }
 
 Vec2 velocity_of_wall(const body::Body& body, Vec2 from_centre) {
-  const double rate = body.motion.spin.rate;
+  const double rate = body.motion.spin.rate + body.own.spin.rate;
   return {-rate * from_centre.y, rate * from_centre.x};
 }
 

@@ -72,6 +72,21 @@ bool says(const Document& document, std::string_view table, std::string_view key
   return found.is_table() && found.as_table()->contains(key);
 }
 
+/// The courses of all motions.
+void complete_motions(Scene& scene) {
+  const std::filesystem::path folder = scene.origin.path.parent_path();
+  if (scene.motion) complete_motion(*scene.motion, scene.time.end, folder);
+  const auto complete_own = [&](std::size_t number, body::BodySettings& body) {
+    try {
+      if (body.motion) complete_motion(*body.motion, scene.time.end, folder);
+    } catch (const Refused& refused) {
+      throw renamed(refused, "motion", flow::key_of_body(scene, number, "motion"));
+    }
+  };
+  if (scene.body) complete_own(0, *scene.body);
+  for (std::size_t k = 0; k < scene.others.size(); ++k) complete_own(k + 1, scene.others[k]);
+}
+
 /// What a scene leaves out, by its own laws and by those of its method, and what it cannot mean.
 void complete(const Document& document, Scene& scene) {
   const flow::Written written = [&](std::string_view table, std::string_view key) {
@@ -79,7 +94,7 @@ void complete(const Document& document, Scene& scene) {
   };
   flow::AnyMethod& own = method_of(scene);
   flow::refuse_senseless(scene);
-  if (scene.motion) complete_motion(*scene.motion, scene.time.end, scene.origin.path.parent_path());
+  complete_motions(scene);
   flow::refuse_rest(scene);
   flow::choose_viscosity(scene, written);
   own->choose(scene, written);

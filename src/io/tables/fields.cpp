@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -22,14 +21,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using NamedGrid = std::pair<const char*, std::vector<double> Field::*>;
+struct NamedGrid {
+  const char* name;
+  std::vector<double> Field::*grid;
+  bool always = true;  // there in all fields
+};
 
-/// The last one not of all fields.
-constexpr std::array<NamedGrid, 4> grids{
-    {{"u", &Field::u}, {"v", &Field::v}, {"omega", &Field::omega}, {"psi", &Field::psi}}};
+constexpr std::array<NamedGrid, 5> grids{{{"u", &Field::u},
+                                          {"v", &Field::v},
+                                          {"omega", &Field::omega},
+                                          {"psi", &Field::psi, false},
+                                          {"p", &Field::p, false}}};
 
-std::span<const NamedGrid> grids_of(const Field& field) {
-  return std::span(grids).first(field.psi.empty() ? grids.size() - 1 : grids.size());
+/// What a field has values of.
+std::vector<NamedGrid> grids_of(const Field& field) {
+  std::vector<NamedGrid> there;
+  for (const NamedGrid& one : grids)
+    if (one.always || !(field.*one.grid).empty()) there.push_back(one);
+  return there;
 }
 
 fs::path fields_path(const fs::path& dir) {
@@ -41,7 +50,7 @@ std::string field_name(double time) {
 }
 
 void require_sizes(const Field& field) {
-  for (const auto& [name, grid] : grids_of(field)) {
+  for (const auto& [name, grid, always] : grids_of(field)) {
     if ((field.*grid).size() != field.x.size() * field.y.size()) {
       throw std::invalid_argument(fmt::format("field of t = {}: {} has {} values on a grid {} x {}",
                                               field.time, name, (field.*grid).size(),
@@ -55,7 +64,7 @@ std::uint64_t checksum(const Field& field) {
   sum.add(field.time);
   sum.add(field.x);
   sum.add(field.y);
-  for (const auto& [name, grid] : grids_of(field)) sum.add(field.*grid);
+  for (const auto& [name, grid, always] : grids_of(field)) sum.add(field.*grid);
   return sum.value();
 }
 
@@ -63,7 +72,7 @@ void write_field(hid_t file, const Field& field) {
   h5::append_group(file, field_name(field.time), [&](hid_t group) {
     h5::write(group, "x", field.x);
     h5::write(group, "y", field.y);
-    for (const auto& [name, grid] : grids_of(field)) {
+    for (const auto& [name, grid, always] : grids_of(field)) {
       h5::write_grid(group, name, field.*grid, field.y.size(), field.x.size());
     }
     h5::write_attribute(group, "time", field.time);
@@ -77,8 +86,8 @@ Field read_group(hid_t file, const std::string& name) {
   field.time = h5::read_double(group, "time");
   field.x = h5::read(group, "x");
   field.y = h5::read(group, "y");
-  for (const auto& [column, grid] : grids)
-    if (grid != &Field::psi || h5::has(group, column)) field.*grid = h5::read(group, column);
+  for (const auto& [column, grid, always] : grids)
+    if (always || h5::has(group, column)) field.*grid = h5::read(group, column);
   // Fields of earlier versions have none.
   if (h5::has_attribute(group, "checksum") &&
       h5::read_unsigned(group, "checksum") != checksum(field)) {
@@ -133,7 +142,8 @@ void refresh_xdmf(const fs::path& dir) {
                         .time = h5::read_double(group, "time"),
                         .rows = length_of(group, "y"),
                         .columns = length_of(group, "x")});
-      if (h5::has(group, "psi")) labels.back().values.push_back("psi");
+      for (const NamedGrid& one : grids)
+        if (!one.always && h5::has(group, one.name)) labels.back().values.emplace_back(one.name);
     }
   } catch (const h5::Failure& failure) {
     throw std::runtime_error(

@@ -8,12 +8,12 @@
 
 namespace vortree::io {
 
-/// Velocity, vorticity and, if the method tells one, the stream function on a grid, for pictures. x
-/// and y are the axes; u, v, omega, psi are row-major [y.size()][x.size()]. Without a stream
-/// function psi is empty.
+/// Velocity, vorticity and, if the method tells them, stream function and pressure on a grid, for
+/// pictures. x and y are the axes; u, v, omega, psi, p are row-major [y.size()][x.size()]. What is
+/// not told, psi or p, is empty.
 struct Field {
   double time = 0;
-  std::vector<double> x, y, u, v, omega, psi{};
+  std::vector<double> x, y, u, v, omega, psi{}, p{};
   bool operator==(const Field&) const = default;
 };
 

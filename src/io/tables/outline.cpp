@@ -25,14 +25,13 @@ std::string rows(const body::BodySettings& body, const Pair& at, const std::stri
 
 }  // namespace
 
-void write_outlines(const std::filesystem::path& path,
-                    const std::vector<body::BodySettings>& bodies) {
+void write_outlines(const std::filesystem::path& path, const flow::BodyList& bodies) {
   const bool several = bodies.size() > 1;
-  const Pair& first = bodies.front().centre;
+  const Pair& first = bodies.front().get().centre;
   std::string text =
       fmt::format("# D = {}\nx,y{}\n", length_of(bodies.front()), several ? ",body" : "");
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Pair& centre = bodies[k].centre;
+    const Pair& centre = bodies[k].get().centre;
     text += rows(bodies[k], {centre[0] - first[0], centre[1] - first[1]},
                  several ? fmt::format(",{}", k + 1) : "");
   }

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
-#include "body/settings.hpp"
+#include "flow/case.hpp"
 
 namespace vortree::io {
 
@@ -13,6 +12,6 @@ namespace vortree::io {
 /// coefficients go by, that of the first: "# D = 1".
 ///
 /// throws  std::runtime_error if it cannot be written
-void write_outlines(const std::filesystem::path&, const std::vector<body::BodySettings>& bodies);
+void write_outlines(const std::filesystem::path&, const flow::BodyList& bodies);
 
 }  // namespace vortree::io

@@ -9,6 +9,8 @@ namespace vortree::sph {
 namespace {
 
 constexpr double radius = 1.5;  // in spacings
+constexpr std::size_t of_pressure = 4;
+static_assert(carried[of_pressure] == &Cloud::p);
 
 /// Vorticity at a particle and how it changes from there, to first order.
 double vorticity_at(const Slopes& of, Vec2 by) {
@@ -38,8 +40,8 @@ Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
   all.y.insert(all.y.end(), at.y.begin(), at.y.end());
   all.reach.resize(n + m, 0);
   const tree::PairList rows = tree::neighbors({all.x, all.y}, all.reach, tree::PairRule::mean);
-  Interpolated of{std::vector<double>(m), std::vector<double>(m), std::vector<double>(m),
-                  std::vector<char>(m)};
+  const std::vector<double> none(m);
+  Interpolated of{none, none, none, none, std::vector<char>(m)};
 #pragma omp parallel for schedule(static)
   for (std::size_t k = 0; k < m; ++k) {
     double sum = 0;
@@ -52,9 +54,10 @@ Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
       of.u[k] += w * (cloud.u[j] + slopes[j][0].change(by));
       of.v[k] += w * (cloud.v[j] + slopes[j][1].change(by));
       of.omega[k] += w * vorticity_at(slopes[j], by);
+      of.p[k] += w * (cloud.p[j] + slopes[j][of_pressure].change(by));
     }
     of.covered[k] = sum > 0;
-    if (sum > 0) of.u[k] /= sum, of.v[k] /= sum, of.omega[k] /= sum;
+    if (sum > 0) of.u[k] /= sum, of.v[k] /= sum, of.omega[k] /= sum, of.p[k] /= sum;
   }
   return of;
 }

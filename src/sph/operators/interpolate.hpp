@@ -14,7 +14,7 @@ namespace vortree::sph {
 ///
 /// covered   whether there are particles nearby; else all is 0
 struct Interpolated {
-  std::vector<double> u, v, omega;
+  std::vector<double> u, v, omega, p;
   std::vector<char> covered;
 };
 
@@ -28,7 +28,7 @@ struct Interpolated {
 ///   u(x) = sum_j w_j (u_j + change_j(x - x_j)) / sum_j w_j
 ///
 /// period  of a periodic square from the origin on, in which the points are; 0: none
-/// error   O(s^3) of velocities, O(s^2) of the vorticity, with slopes of degree 2
+/// error   O(s^3) of velocities and pressure, O(s^2) of the vorticity, with slopes of degree 2
 /// cost    a neighbor search of particles and points
 [[nodiscard]] Interpolated interpolate(const Cloud& cloud, const std::vector<Slopes>& slopes,
                                        std::span<const std::uint32_t> chosen, tree::Points at,

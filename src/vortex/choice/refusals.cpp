@@ -120,14 +120,14 @@ void hold_box(const std::array<double, 4>& box, const Pair& centre, const Pair& 
 void refuse_senseless(const VortexCase& scene) {
   hold_together(scene);
   if (scene.initial && scene.body) hold_distance(scene);
-  const std::vector<body::BodySettings> bodies = flow::every_body(scene);
+  const flow::BodyList bodies = flow::every_body(scene);
   for (const body::BodySettings& one : bodies) hold_cores(scene, one);
   hold_steps(scene);
   for (std::size_t k = 0; k < bodies.size(); ++k)
     hold_tips(bodies[k], flow::key_of_body(scene, k, "panels"));
   if (!scene.merging.box) return;
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    hold_box(*scene.merging.box, bodies[k].centre, body::half_extent(bodies[k]),
+    hold_box(*scene.merging.box, bodies[k].get().centre, body::half_extent(bodies[k]),
              bodies.size() == 1 ? "the body" : fmt::format("body[{}]", k));
   if (scene.initial) {
     const auto [x, y] = flow::half_extent(*scene.initial);

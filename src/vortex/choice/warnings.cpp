@@ -8,7 +8,7 @@
 
 #include "base/free_memory.hpp"
 #include "body/extent.hpp"
-#include "body/group.hpp"
+#include "body/outlines/group.hpp"
 #include "flow/initial/widths.hpp"
 #include "vortex/choice/cost.hpp"
 #include "vortex/choice/scales.hpp"
@@ -117,7 +117,7 @@ void doubt_body(Warnings& list, const VortexCase& scene) {
   doubt_reynolds(list, scene);
   doubt_cores(list, scene);
   doubt_step(list, scene);
-  const std::vector<body::BodySettings> bodies = flow::every_body(scene);
+  const flow::BodyList bodies = flow::every_body(scene);
   for (std::size_t k = 0; k < bodies.size(); ++k)
     doubt_panels(list, bodies[k], flow::key_of_body(scene, k, "panels"), scene.cores.sigma_0);
   doubt_gaps(list, scene);

@@ -108,12 +108,13 @@ Placed unfold(const Placed& folded, const body::Shape* shape) {
 }
 
 Placed strained(const Placed& folded, const body::WallPoint& nearest, Vec2 way,
-                const Gradient& gradient, double dt) {
+                const Gradient& gradient, double dt, double turned) {
   Placed after{folded.centre + way, carried(folded.core, gradient, dt)};
   if (nearest.distance < INFINITY) {
-    Covariance v = after.core.covariance(nearest.normal);
+    const Vec2 normal = Turn(turned)(nearest.normal);
+    Covariance v = after.core.covariance(normal);
     v.tt = folded.core.covariance(nearest.normal).tt;
-    after.core = core_of(upright(v), nearest.normal);
+    after.core = core_of(upright(v), normal);
   }
   return after;
 }

@@ -71,8 +71,9 @@ Placed unfold(const Placed& folded, const body::Shape* wall);
 /// far along a curved wall would leave it.
 ///
 /// nearest  wall point of folded.centre if the wall folds the blob, or one infinitely far
+/// turned   by how much that wall turns meanwhile, anticlockwise
 Placed strained(const Placed& folded, const body::WallPoint& nearest, Vec2 way,
-                const Gradient& gradient, double dt);
+                const Gradient& gradient, double dt, double turned = 0);
 
 /// As far as the wall folds a core: `folded::support` of its widest sigma.
 double reach_of(const Core& core);

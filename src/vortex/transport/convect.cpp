@@ -52,14 +52,16 @@ WallPoints carry(Blobs& blobs, const FoldedBlobs& from, const Velocities& u,
 
 /// The same, with cores that are strained on the way.
 WallPoints strain(Blobs& blobs, const FoldedBlobs& from, const Velocities& u, const Gradients& g,
-                  const body::Shape* wall, double dt) {
+                  const WallOnItsWay& on_its_way, double dt) {
+  const body::Shape* wall = on_its_way.at(dt);
   WallPoints found(blobs.size());
   move_each(blobs, [&](std::ptrdiff_t i) {
     const body::WallPoint before = from.wall.known(i);
     const Placed acts =
         before.distance < INFINITY ? from.folded(i) : Placed{blobs.centre(i), blobs.core(i)};
+    const double turned = before.distance < INFINITY ? on_its_way.turned(before.arc, dt) : 0;
     const Placed to =
-        strained(acts, before, dt * Vec2{u.u[i], u.v[i]}, {g.ux[i], g.uy[i], g.vx[i]}, dt);
+        strained(acts, before, dt * Vec2{u.u[i], u.v[i]}, {g.ux[i], g.uy[i], g.vx[i]}, dt, turned);
     const body::WallPoint nearest = wall_point_within(to.centre, reach_of(to.core), wall);
     const Placed blob = unfold(to, nearest);
     found.keep(i, along_normal(nearest, to.centre, blob.centre));
@@ -99,17 +101,18 @@ void add(Velocities& sum, double weight, const Velocities& u) {
 
 }  // namespace
 
-WallPoints convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
+WallPoints convect(Blobs& blobs, const AdvectingVelocity& velocity, const WallOnItsWay& wall,
                    flow::Scheme scheme, double dt, bool strains, const WallPoints& found,
                    const TurningAxes& axes) {
-  const FoldedBlobs from = fold(blobs, wall, found);
+  const FoldedBlobs from = fold(blobs, wall.at(0), found);
   Gradients gradients;
   const auto at = [&](const Velocities& u, double before, double h, Gradients* g = nullptr) {
-    return velocity(blobs, gone(from, relative(u, from, axes, before, h), wall, h), h, g);
+    return velocity(blobs, gone(from, relative(u, from, axes, before, h), wall.at(h), h), h, g);
   };
   const auto finish = [&](const Velocities& u) {
     if (strains && axes) see_turning(gradients, axes(dt) / dt);
-    return strains ? strain(blobs, from, u, gradients, wall, dt) : carry(blobs, from, u, wall, dt);
+    return strains ? strain(blobs, from, u, gradients, wall, dt)
+                   : carry(blobs, from, u, wall.at(dt), dt);
   };
   Gradients* const wanted = strains ? &gradients : nullptr;
 

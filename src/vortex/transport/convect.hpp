@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "flow/settings.hpp"
 #include "vortex/blobs/velocities.hpp"
@@ -16,6 +17,27 @@ using AdvectingVelocity = std::function<Velocities(const Blobs& blobs, const Fol
 /// By how much the axes in which positions and velocities are told have turned, anticlockwise, so
 /// long after the beginning of the step; empty: they do not.
 using TurningAxes = std::function<double(double after)>;
+
+/// A wall so long after the beginning of the step.
+///
+/// at      none: free space
+/// turned  by how much the body that has this arc has turned in the axes since the beginning
+class WallOnItsWay {
+ public:
+  /// One that stands still.
+  WallOnItsWay(const body::Shape* still = nullptr)
+      : at_([still](double) { return still; }), turned_([](double, double) { return 0.0; }) {}
+  WallOnItsWay(std::function<const body::Shape*(double after)> at,
+               std::function<double(double arc, double after)> turned)
+      : at_(std::move(at)), turned_(std::move(turned)) {}
+
+  const body::Shape* at(double after) const { return at_(after); }
+  double turned(double arc, double after) const { return turned_(arc, after); }
+
+ private:
+  std::function<const body::Shape*(double)> at_;
+  std::function<double(double, double)> turned_;
+};
 
 /// Moves blobs for a time dt.
 ///
@@ -35,7 +57,7 @@ using TurningAxes = std::function<double(double after)>;
 /// found    wall points nearest to the centres
 /// axes     with those of the wall
 /// returns  those nearest to where they have come to, as far as they were needed
-WallPoints convect(Blobs& blobs, const AdvectingVelocity& velocity, const body::Shape* wall,
+WallPoints convect(Blobs& blobs, const AdvectingVelocity& velocity, const WallOnItsWay& wall,
                    flow::Scheme scheme, double dt, bool strains = false,
                    const WallPoints& found = WallPoints(), const TurningAxes& axes = {});
 

@@ -107,6 +107,40 @@ double NearPanels::stream_correction(Vec2 at, double arc, std::span<const double
   return sum(psi) - length_ * length_ / 24 * owed;
 }
 
+NearPanels::DipoleLayer NearPanels::layer(std::span<const double> x,
+                                          std::span<const double> y) const {
+  const auto slope = [&](std::span<const double> of) {
+    std::vector<double> rises(panels_);
+    for (std::size_t i = 0; i < panels_; ++i)
+      rises[i] = (of[(i + 1) % panels_] - of[(i + panels_ - 1) % panels_]) / (2 * length_);
+    return wrapped(rises);
+  };
+  return {wrapped(x), wrapped(y), slope(x), slope(y)};
+}
+
+/// With D the integral of (x - x')/r^2 over a chord, and (along, across) the place x from its
+/// middle, that of s (x - x')/r^2 is along D - across e x D - b t.
+double NearPanels::dipole_correction(Vec2 at, double arc, const DipoleLayer& q) const {
+  const std::size_t first = first_place(arc);
+  Lanes potential{};
+  for (std::size_t k = 0; k < filled; k += lane_count) {
+    const std::size_t p = first + k;
+    const panel::Vectors a = load_vectors(begin_, p), b = load_vectors(end_, p),
+                         t = load_vectors(chord_, p), turned = panel::velocities(at, a, b, t),
+                         point = panel::point_velocities(at, load_vectors(middle_, p));
+    const panel::Vectors from = at - panel::Vectors{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
+    const Lanes along = panel::dot(from, t), across = t.x * from.y - t.y * from.x,
+                whole = fill(panel::inverse_two_pi * length_);
+    const Lanes even = load(&q.x[p]) * (turned.y - length_ * point.y) -
+                       load(&q.y[p]) * (turned.x - length_ * point.x);
+    const Lanes sloping =
+        load(&q.slope_x[p]) * (along * turned.y - across * turned.x - whole * t.x) -
+        load(&q.slope_y[p]) * (along * turned.x + across * turned.y + whole * t.y);
+    potential += load(&counts_[k]) * (even + sloping);
+  }
+  return sum(potential);
+}
+
 /// How -gamma ln r/(2 pi) changes along the wall at the beginning of a window, that of the panel at
 /// this place, or at the end of its last.
 double NearPanels::slope_at_end(Vec2 at, std::size_t place, bool last,

@@ -34,6 +34,17 @@ class NearPanels {
   /// window, b^2/24 of the slope there, is no part of what it errs by all around.
   double stream_correction(Vec2 at, double arc, std::span<const double> sheet) const;
 
+  /// Dipoles along the wall, per unit length, and how they change along it; all wrapped.
+  struct DipoleLayer {
+    std::vector<double> x, y, slope_x, slope_y;
+  };
+  DipoleLayer layer(std::span<const double> x, std::span<const double> y) const;
+
+  /// Potential of a layer of dipoles near the arc, (1/2 pi) int q (x - x')/r^2 ds, less that of its
+  /// panels as points. On each chord q is linear: of constant ones the potential would be in steps
+  /// beside the wall.
+  double dipole_correction(Vec2 at, double arc, const DipoleLayer& q) const;
+
   /// Adds to `missed` (wrapped) the average velocity along each panel of a vortex near the arc,
   /// less the mean of that at the panel's two samples.
   void add_missed(Vec2 at, double arc, double gamma, std::span<double> missed) const;

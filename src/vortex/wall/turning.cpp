@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "body/group.hpp"
 #include "vortex/wall/linear_system.hpp"
 #include "vortex/wall/panel_kernel.hpp"
 
@@ -89,10 +88,12 @@ Turning::Turning(const Wall& wall) {
   of_centroid = 0.5 * moment;
 }
 
-Turning Turning::among(const Wall& all, std::size_t k) const {
+Turning Turning::among(const Wall& all, std::size_t k, double angle) const {
+  if (all.rings().size() == 1 && angle == 0) return *this;
   const Ring& ring = all.rings()[k];
   Turning there = *this;
-  there.moment = moment + circulation * ring.centre;
+  there.of_centroid = Turn(angle)(of_centroid);
+  there.moment = 2.0 * there.of_centroid + circulation * ring.centre;
   there.sheet.assign(all.panels(), 0);
   std::ranges::copy(sheet, ring.of(there.sheet).begin());
   Velocities u(all.samples().size());
@@ -105,22 +106,13 @@ Turning Turning::among(const Wall& all, std::size_t k) const {
   return there;
 }
 
-std::vector<Turning> turnings(const Wall& wall, std::span<const WallBody> bodies) {
-  if (bodies.size() == 1) return {Turning(wall)};
-  std::vector<Turning> all;
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const auto alone = std::make_shared<body::Placed>(bodies[k].shape, -1 * bodies[k].centre);
-    all.push_back(Turning(Wall(alone, bodies[k].panels)).among(wall, k));
-  }
-  return all;
-}
-
-std::vector<double> gained_along_wall(const Wall& wall, const Ring& ring, double faster,
-                                      double rate, double dt) {
+std::vector<double> gained_along_wall(const Wall& wall, const Ring& ring, const Gain& gain) {
   std::vector<double> gained(wall.panels());
   for (std::size_t i = ring.first; i < ring.end(); ++i) {
     const Vec2 x = wall.middle(i) - ring.centre;
-    gained[i] = dot(faster * left_of(x) - (rate * rate * dt) * x, wall.tangent(i));
+    gained[i] =
+        dot(gain.velocity + gain.faster * left_of(x) - (gain.rate * gain.rate * gain.dt) * x,
+            wall.tangent(i));
   }
   return gained;
 }

@@ -32,18 +32,20 @@ struct Turning {
   /// Of the body alone, about the origin.
   explicit Turning(const Wall& wall);
 
-  /// Of body k of several, whose panels are those of the one alone: beyond its own panels its slip
-  /// is what its sheet moves there.
-  Turning among(const Wall& all, std::size_t k) const;
+  /// Of body k of several, whose panels are those of the one alone, turned by an angle: beyond its
+  /// own panels its slip is what its sheet moves there.
+  Turning among(const Wall& all, std::size_t k, double angle) const;
 };
 
-/// Of each body, where it stands.
-std::vector<Turning> turnings(const Wall& wall, std::span<const WallBody> bodies);
+/// What a body's motion has gained in a step of dt: velocity of its centre, and rate; the rate in
+/// the middle of it.
+struct Gain {
+  Vec2 velocity;
+  double faster, rate, dt;
+};
 
-/// Mean acceleration of a body's wall beyond that of its centre, along each panel, over a step in
-/// which the rate has changed by `faster`: (faster/dt e x x - rate^2 x) t, x from the centre, so
-/// many times dt [m/s]; 0 of other bodies.
-std::vector<double> gained_along_wall(const Wall& wall, const Ring& ring, double faster,
-                                      double rate, double dt);
+/// Mean acceleration of a body's wall along each panel, dt times: (dV + faster e x x - rate^2 dt x)
+/// t, x from the centre [m/s]; 0 of other bodies.
+std::vector<double> gained_along_wall(const Wall& wall, const Ring& ring, const Gain& gain);
 
 }  // namespace vortree::vortex

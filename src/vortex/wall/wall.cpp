@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/ordered_sum.hpp"
-#include "body/group.hpp"
+#include "body/outlines/group.hpp"
 #include "fmm/plan.hpp"
 #include "vortex/wall/disc_multipole.hpp"
 #include "vortex/wall/panel_kernel.hpp"
@@ -288,6 +288,33 @@ void Wall::add_stream_function(std::span<const double> sheet, const fmm::Options
       .stream_function(fmm::Targets{targets.x, targets.y, {}}, of_points);
   for (std::size_t t = 0; t < psi.size(); ++t) psi[t] += of_points[t];
   for (std::size_t k = 0; k < rings_.size(); ++k) add_near_stream_function(k, sheet, targets, psi);
+}
+
+/// A vortex of strength q has the velocity q e x (x - x')/(2 pi r^2).
+void Wall::add_dipoles(std::span<const double> x, std::span<const double> y,
+                       const fmm::Options& sums, tree::Points targets,
+                       std::span<double> potential) const {
+  Velocities of_x(targets.size()), of_y(targets.size());
+  for (const Ring& ring : rings_) {
+    add_velocity_of_points(ring, x, sums, targets, of_x);
+    add_velocity_of_points(ring, y, sums, targets, of_y);
+  }
+  for (std::size_t t = 0; t < potential.size(); ++t) potential[t] += of_x.v[t] - of_y.u[t];
+  for (std::size_t k = 0; k < rings_.size(); ++k) add_near_dipoles(k, x, y, targets, potential);
+}
+
+void Wall::add_near_dipoles(std::size_t k, std::span<const double> x, std::span<const double> y,
+                            tree::Points targets, std::span<double> potential) const {
+  const NearPanels& near = parts_[k].near;
+  const NearPanels::DipoleLayer layer = near.layer(rings_[k].of(x), rings_[k].of(y));
+  const double exact = exact_within * rings_[k].length;
+  const auto count = static_cast<std::ptrdiff_t>(targets.size());
+#pragma omp parallel for schedule(dynamic, wall_points_a_turn)
+  for (std::ptrdiff_t t = 0; t < count; ++t) {
+    const Vec2 at{targets.x[t], targets.y[t]};
+    const body::WallPoint w = nearest_on(k, no_wall_point, at, exact);
+    if (std::abs(w.distance) < exact) potential[t] += near.dipole_correction(at, w.arc, layer);
+  }
 }
 
 double Wall::area(std::size_t k) const {

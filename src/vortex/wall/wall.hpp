@@ -110,6 +110,15 @@ class Wall {
   void add_stream_function(std::span<const double> sheet, const fmm::Options& sums,
                            tree::Points targets, std::span<double> psi) const;
 
+  /// Adds the potential of a layer of dipoles q along the wall, of strength (x, y) per unit length,
+  /// at points of the fluid,
+  ///
+  ///   (1/2 pi) oint q (x - x')/r^2 ds,
+  ///
+  /// of panels as points from afar, as integrals of what is linear along each chord near.
+  void add_dipoles(std::span<const double> x, std::span<const double> y, const fmm::Options& sums,
+                   tree::Points targets, std::span<double> potential) const;
+
   /// 2 pi K(x_i, x_j) for all j [1/m].
   std::vector<double> kernel(std::size_t i) const;
 
@@ -143,6 +152,8 @@ class Wall {
                          Velocities& u, const WallPoints& found) const;
   void add_near_stream_function(std::size_t k, std::span<const double> sheet, tree::Points targets,
                                 std::span<double> psi) const;
+  void add_near_dipoles(std::size_t k, std::span<const double> x, std::span<const double> y,
+                        tree::Points targets, std::span<double> potential) const;
   Missed missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
                            std::size_t first, std::size_t last) const;
   void add_core(Vec2 at, const Deviator& deviator, const body::WallPoint& nearest, double gamma,

@@ -195,6 +195,7 @@ TEST_CASE("the XDMF page of fields names grids of rows and columns that are ther
   Field later = field;
   later.time = 1.5;
   later.psi = std::vector<double>(6, 4.);
+  later.p = std::vector<double>(6, 5.);
   append_field(box.path(), later);
   const auto check_page = [&](std::size_t grids) {
     const Element page = Parser(text_of(box / "fields.xdmf")).document();
@@ -202,8 +203,8 @@ TEST_CASE("the XDMF page of fields names grids of rows and columns that are ther
     REQUIRE(page.all("Time").size() == grids);
     CHECK(page.all("Time").back()->attributes.at("Value") == (grids == 1 ? "0.5" : "1.5"));
     CHECK(page.all("Topology")[0]->attributes.at("Dimensions") == "2 3");
-    CHECK(page.all("DataItem").size() == (grids == 1 ? 5 : 5 + 6));
-    CHECK(page.all("Attribute").back()->attributes.at("Name") == (grids == 1 ? "omega" : "psi"));
+    CHECK(page.all("DataItem").size() == (grids == 1 ? 5 : 5 + 7));
+    CHECK(page.all("Attribute").back()->attributes.at("Name") == (grids == 1 ? "omega" : "p"));
     for (const Element* item : page.all("DataItem")) {
       REQUIRE(item->text.starts_with("fields.h5:/"));
       CHECK(shape_of(file, item->text.substr(item->text.find('/'))) ==

@@ -29,6 +29,7 @@ Flow flow(Cloud cloud, const auto& velocity) {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Vec2 u = velocity(cloud.at(i));
     cloud.u[i] = u.x, cloud.v[i] = u.y;
+    cloud.p[i] = u.x - 2 * u.y;
   }
   Stencils stencils;
   stencils.renew(cloud, {});
@@ -54,7 +55,7 @@ struct Places {
 
 }  // namespace
 
-TEST_CASE("between particles, quadratic velocities and linear vorticity are exact") {
+TEST_CASE("between particles, quadratic velocities and pressure and linear vorticity are exact") {
   Chance chance(2);
   const Polynomial p(2, chance), q(2, chance);
   const Flow of = flow(uneven_cloud(16, 31), [&](Vec2 at) { return Vec2{p(at), q(at)}; });
@@ -67,6 +68,7 @@ TEST_CASE("between particles, quadratic velocities and linear vorticity are exac
     CHECK(found.u[k] == Approx(p(at)).margin(1e-10));
     CHECK(found.v[k] == Approx(q(at)).margin(1e-10));
     CHECK(found.omega[k] == Approx(q.slopes(at).x - p.slopes(at).y).margin(1e-9));
+    CHECK(found.p[k] == Approx(p(at) - 2 * q(at)).margin(3e-10));
   }
 }
 
@@ -109,6 +111,7 @@ TEST_CASE("a place is covered where a chosen particle is nearer than 1.5 spacing
     CHECK(found.u[k] == 0);
     CHECK(found.v[k] == 0);
     CHECK(found.omega[k] == 0);
+    CHECK(found.p[k] == 0);
   }
   CHECK(covered > 100);
   CHECK(covered < 500);

@@ -55,15 +55,20 @@ struct TurningErrors {
   double around, along, pressure;  // root mean squares: u_theta, u_r, p less its mean
 };
 
-TurningErrors errors(double spacing, const Twin& twin, double end) {
+std::unique_ptr<flow::Solver> turned(double spacing, double end) {
   SphScene scene;
   scene.of.flow = {.nu = nu, .stream = {0, 0}};
   scene.of.motion = body::MotionSettings{rate};
   scene.of.time.end = end;
   scene.set("spacing", spacing).set("levels", 2).set("zone", 0.5).set("courant", 0.06);
   scene.set("box", std::array{-2.0, -2.0, 2.0, 2.0});
-  const auto solver = scene.choose().begin();
+  auto solver = scene.choose().begin();
   advance(*solver, static_cast<int>(std::lround(end / scene.of.time.dt)));
+  return solver;
+}
+
+TurningErrors errors(double spacing, const Twin& twin, double end) {
+  const auto solver = turned(spacing, end);
   const Cloud& cloud = dynamic_cast<const SphSolver&>(*solver).cloud();
   TurningErrors sum{};
   double volume = 0, mean = 0;
@@ -100,4 +105,30 @@ TEST_CASE("fluid around a circle that turns follows it as diffusion has it, to s
   CHECK(std::log2(coarse.around / fine.around) > 1.7);
   CHECK(std::log2(coarse.pressure / fine.pressure) > 1.7);
   CHECK(std::log2(coarse.along / fine.along) > 1);  // chance shifts particles: noise
+}
+
+TEST_CASE("the pressure between the particles is told beyond that far away") {
+  const double end = 0.6;
+  const Twin twin(end);
+  const auto solver = turned(0.05, end);
+  for (const double r : {0.52, 0.6, 0.8, 1.2}) {
+    std::vector<double> x{0}, y{0};
+    for (int k = 0; k < 60; ++k) {
+      x.push_back(r * std::cos(k * std::numbers::pi / 30));
+      y.push_back(r * std::sin(k * std::numbers::pi / 30));
+    }
+    const std::vector<double> p = solver->pressure({x, y});
+    CHECK(p[0] == 0);
+    CAPTURE(r);
+    // Of 0.04 from far away to the wall; the series between particles err by their third order.
+    for (std::size_t k = 1; k < p.size(); ++k)
+      CHECK(p[k] == Approx(twin.at(twin.p, r)).margin(0.0016));
+  }
+  const std::vector<double> beyond{2.5}, here{0};
+  CHECK(solver->pressure({beyond, here}).empty());
+}
+
+TEST_CASE("an impulsive start has no pressure") {
+  const std::vector<double> x{0.7}, y{0};
+  CHECK(small_flow()->pressure({x, y}).empty());
 }

@@ -111,7 +111,7 @@ TEST_CASE("along the wall a body gains speed as it spins up, less what draws it 
   const Wall wall(body::ellipse({0.3, -0.1}, 0.5, 0.2, 0.4), 100);
   const double dt = 0.01, rate = 1.3, spin_up = 0.7;
   const std::vector<double> gained =
-      vortex::gained_along_wall(wall, wall.rings()[0], spin_up * dt, rate, dt);
+      vortex::gained_along_wall(wall, wall.rings()[0], {{}, spin_up * dt, rate, dt});
   for (std::size_t i = 0; i < wall.panels(); i += 7) {
     const Vec2 x = wall.middle(i);
     const Vec2 a{-spin_up * x.y - rate * rate * x.x, spin_up * x.x - rate * rate * x.y};

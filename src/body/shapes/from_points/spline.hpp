@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "body/piece.hpp"
+#include "body/outlines/piece.hpp"
 
 namespace vortree::body {
 

@@ -1,4 +1,4 @@
-#include "body/chords.hpp"
+#include "body/outlines/chords.hpp"
 
 #include <algorithm>
 #include <bit>

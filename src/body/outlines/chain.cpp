@@ -1,4 +1,4 @@
-#include "body/chain.hpp"
+#include "body/outlines/chain.hpp"
 
 #include <algorithm>
 #include <cmath>

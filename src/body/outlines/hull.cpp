@@ -1,4 +1,4 @@
-#include "body/hull.hpp"
+#include "body/outlines/hull.hpp"
 
 #include <cmath>
 #include <numbers>

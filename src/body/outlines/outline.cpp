@@ -1,12 +1,12 @@
-#include "body/outline.hpp"
+#include "body/outlines/outline.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "body/chords.hpp"
-#include "body/hull.hpp"
+#include "body/outlines/chords.hpp"
+#include "body/outlines/hull.hpp"
 
 namespace vortree::body {
 namespace {

@@ -1,4 +1,4 @@
-#include "body/piece.hpp"
+#include "body/outlines/piece.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "body/piece.hpp"
+#include "body/outlines/piece.hpp"
 #include "body/shape.hpp"
 
 namespace vortree::body {
@@ -28,13 +28,13 @@ class Placement {
 };
 
 /// The shape with that outline. The curve is asked only while it is drawn: 128 stretches of its
-/// parameter, and more where it bends or changes fast, become polynomials (body/piece.hpp) without
+/// parameter, and more where it bends or changes fast, become polynomials (body/outlines/piece.hpp) without
 /// more error than the round-off of the formula. The nearest place is sought by Newton's method
 /// from the nearest of their chords.
 ///
 /// breaks  parameters where the second derivative jumps, or the speed; the direction does not
 /// error   round-off of place, distance, normal, arc length and curvature: 1e-13 of the largest
-///         second derivative nearby (tests/body/outline.cpp)
+///         second derivative nearby (tests/body/outlines/outline.cpp)
 /// cost    0.2 us for a nearest point; 0.4 ms and 0.1 MB for drawing a foil
 std::unique_ptr<Shape> outline(const Curve& curve, const std::vector<double>& breaks = {});
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "body/outline.hpp"
+#include "body/outlines/outline.hpp"
 
 namespace vortree::body {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "body/chain.hpp"
+#include "body/outlines/chain.hpp"
 
 namespace vortree::body {
 

@@ -1,4 +1,4 @@
-#include "body/group.hpp"
+#include "body/outlines/group.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,9 @@ WallPoint Group::nearest(Vec2 at) const {
     const WallPoint found = members_[k]->nearest(at);
     if (found.distance >= best.distance) continue;
     best = found;
-    best.arc = std::min(first_arc_[k] + found.arc, std::nextafter(first_arc_[k + 1], 0.0));
+    // Round-off must not carry an arc beyond where its curve begins or ends.
+    best.arc = std::clamp(first_arc_[k] + found.arc, first_arc_[k],
+                          std::nextafter(first_arc_[k + 1], 0.0));
   }
   return best;
 }

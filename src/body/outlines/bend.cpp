@@ -1,4 +1,4 @@
-#include "body/bend.hpp"
+#include "body/outlines/bend.hpp"
 
 #include <array>
 #include <cmath>
