@@ -224,7 +224,8 @@ struct Refused : std::runtime_error {
   std::string key;
 };
 
-/// The same of a table that goes by another name: "motion.x is ..." becomes "body[1].motion.x is ...".
+/// The same of a table that goes by another name: "motion.x is ..." becomes "body[1].motion.x is
+/// ...".
 [[nodiscard]] inline Refused renamed(const Refused& refused, std::string_view from,
                                      const std::string& to) {
   std::string words = refused.what();

@@ -29,9 +29,9 @@ struct PlungeSettings {
   bool operator==(const PlungeSettings&) const = default;
 };
 
-/// How a body moves, or all of them together: its pivot by x, y [L], and the body about it by `angle` (degrees,
-/// anticlockwise), each as an expression of t, or all as columns of a file; or as a circle that
-/// turns about its centre at a steady rate, `spin`, from t = 0 on.
+/// How a body moves, or all of them together: its pivot by x, y [L], and the body about it by
+/// `angle` (degrees, anticlockwise), each as an expression of t, or all as columns of a file; or as
+/// a circle that turns about its centre at a steady rate, `spin`, from t = 0 on.
 ///
 /// about   the pivot, from the body's centre at angle 0
 /// course  what x, y, angle or the file say, once a scene has been read

@@ -26,8 +26,8 @@ struct OutlinePoint {
   double curvature, arc;
 };
 
-/// A closed curve without double points, or several apart from each other (body/outlines/group.hpp): all that
-/// the wall knows of bodies.
+/// A closed curve without double points, or several apart from each other
+/// (body/outlines/group.hpp): all that the wall knows of bodies.
 class Shape {
  public:
   virtual ~Shape() = default;

@@ -17,8 +17,8 @@ namespace vortree::flow {
 /// What a scene says of a flow, whatever method computes it. Every key of the TOML file is the
 /// member of the same name.
 ///
-/// body    the first, by whose length coefficients and the Reynolds number go, and from whose centre
-///         a method may see all
+/// body    the first, by whose length coefficients and the Reynolds number go, and from whose
+///         centre a method may see all
 /// others  those beside it, of the second [[body]] on
 /// motion  of all bodies together, as is plunge
 struct Case {
@@ -59,8 +59,8 @@ void complete_times(Case& of);
 ///         fills the plane
 void refuse_senseless(const Case& of);
 
-/// throws  Refused for a body at rest in fluid at rest, and for several that turn together, overlap,
-///         or come to do so. The courses of their motions must be there.
+/// throws  Refused for a body at rest in fluid at rest, and for several that turn together,
+///         overlap, or come to do so. The courses of their motions must be there.
 void refuse_rest(const Case& of);
 
 /// The speed that coefficients and the Reynolds number go by: of the stream, or without one the

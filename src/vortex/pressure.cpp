@@ -128,8 +128,8 @@ std::vector<double> add_slip_of_gain(const Problem& p, std::span<double> slip) {
   return totals;
 }
 
-/// The pressure's slope along the wall by now: to its mean over the last step comes what bodies have
-/// changed of their acceleration since, by the potential flow that answers to it.
+/// The pressure's slope along the wall by now: to its mean over the last step comes what bodies
+/// have changed of their acceleration since, by the potential flow that answers to it.
 std::vector<double> slope_now(const Problem& p, std::span<const double> of_step) {
   std::vector<double> slope(of_step.begin(), of_step.end());
   const bool moves = p.flow.motion.moves() || std::ranges::any_of(p.flow.own, &body::Motion::moves);

@@ -38,9 +38,9 @@ struct WallData {
 /// level follows (wall_pressure.hpp has another way to it). No rate of change of the field is
 /// needed, and without a wall the first integral is all.
 ///
-/// Where bodies move against each other, V and rate those of one of them in the frame of all, x from
-/// its centre, its mu has (V' - 2 rate e x V) x beside that: |u|^2/2 of its wall, and what drives
-/// the fluid there, V' - rate e x V.
+/// Where bodies move against each other, V and rate those of one of them in the frame of all, x
+/// from its centre, its mu has (V' - 2 rate e x V) x beside that: |u|^2/2 of its wall, and what
+/// drives the fluid there, V' - rate e x V.
 ///
 /// A blob is a dipole gamma (v, -u), u the mean velocity over its core, smoothed as its velocity
 /// is; and a quadrupole, of how u changes across the core: without it the middle of a vortex would

@@ -14,14 +14,14 @@ namespace vortree::vortex {
 ///           impulse_y of blobs and sheet, per unit density; second_moment, sum gamma (|X - O|^2 +
 ///           sigma^2), O the body's centre, or that of the initial vorticity as the stream carries
 ///           it. Beside a wall (else 0): bubble_length in diameters; separation_deg from the rear;
-///           both 0 where the body moves, and of several. In free space (else 0): quadrupole_*, separation,
-///           circulation_plus, plus_*, plus the part that turns anticlockwise
+///           both 0 where the body moves, and of several. In free space (else 0): quadrupole_*,
+///           separation, circulation_plus, plus_*, plus the part that turns anticlockwise
 ///           (vortex/blobs/moments.hpp)
 /// counts    released, laid, split, beside_wall, merged (vortex/step.hpp)
 /// drift     beside a wall of the circulation, else of the second moment but for diffusion
-/// table     wall.csv, number of the body if there are several, vorticity, sheet, C_p (wall_pressure.hpp) and C_f, the traction along the
-///           anticlockwise tangent, of each panel; or energy.csv of up to 20 000 blobs, for
-///           the sum is over all pairs
+/// table     wall.csv, number of the body if there are several, vorticity, sheet, C_p
+///           (wall_pressure.hpp) and C_f, the traction along the anticlockwise tangent, of each
+///           panel; or energy.csv of up to 20 000 blobs, for the sum is over all pairs
 class VortexSolver final : public flow::Solver {
  public:
   explicit VortexSolver(Setup setup);

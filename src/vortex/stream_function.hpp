@@ -14,8 +14,9 @@ namespace vortree::vortex {
 /// stream, blobs and sheet. Beside a wall a constant is taken away, so that the mean along the wall
 /// is 0, of several bodies along that of the first: each wall is a streamline unless its body
 /// turns, or moves against the first. Within a body psi goes on as that of its own motion, V_x y -
-/// V_y x - rate |x|^2/2, beyond the mean of that along its wall. All circulation adds up to 0 there, so that psi -
-/// U y + V x fades with the distance; in free space r is in the unit of positions.
+/// V_y x - rate |x|^2/2, beyond the mean of that along its wall. All circulation adds up to 0
+/// there, so that psi - U y + V x fades with the distance; in free space r is in the unit of
+/// positions.
 ///
 /// returns  a value a point [m^2/s]
 /// error    as Plan::stream_function, by stream_function_tolerance or that of the sums if it is

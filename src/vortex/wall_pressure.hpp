@@ -37,7 +37,8 @@ namespace vortree::vortex {
 std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
                                   std::span<const double> slope);
 
-/// The integral of a slope around each body, from anywhere on; what would not close is spread evenly.
+/// The integral of a slope around each body, from anywhere on; what would not close is spread
+/// evenly.
 std::vector<double> integrated(const Wall& wall, std::span<const double> slope);
 
 /// 1/(2 pi) oint w p ds of that pressure, of the first body.

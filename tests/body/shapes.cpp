@@ -56,10 +56,10 @@ std::vector<std::string> names_of_keys(const std::vector<Key>& keys) {
 TEST_CASE("a body has the keys of all shapes, and is a circle unless another is named") {
   BodySettings body;
   const std::vector<Key> all = keys(body);
-  CHECK(names_of_keys(all) == std::vector<std::string>{"shape", "radius", "across", "chord", "edge",
-                                                       "thickness", "camber", "length", "sides",
-                                                       "corner", "scale", "digits", "file",
-                                                       "points", "incidence", "centre", "panels"});
+  CHECK(names_of_keys(all) ==
+        std::vector<std::string>{"shape", "radius", "across", "chord", "edge", "thickness",
+                                 "camber", "length", "sides", "corner", "scale", "digits", "file",
+                                 "points", "incidence", "centre", "panels", "motion"});
   CHECK(body == BodySettings{});
   const OneOf shape = std::get<OneOf>(all[0].target);
   CHECK(shape.words == std::vector<std::string_view>{"circle", "ellipse", "naca0012", "naca4",

@@ -103,8 +103,8 @@ TEST_CASE("a body without viscosity carries the mass along that is known: circle
 namespace {
 
 /// By impulse and by the wall, relative: how far the force on a cylinder that trembles in a viscous
-/// fluid is off what Stokes found, F = -pi R^2 (1 + 4 K1(z)/(z K0(z))) dV/dt, z = R sqrt(i omega/nu),
-/// for small amplitudes.
+/// fluid is off what Stokes found, F = -pi R^2 (1 + 4 K1(z)/(z K0(z))) dV/dt, z = R sqrt(i
+/// omega/nu), for small amplitudes.
 std::pair<double, double> off_stokes(int panels, int period, double core) {
   const double nu = 0.01, radius = 0.5, frequency = 1, amplitude = 0.01;
   const vortex::Wall wall(body::circle({}, radius), panels);

@@ -9,9 +9,9 @@
 namespace vortree::app {
 
 /// The rows of report.csv: t, T = U t/R, what the method measures, the coefficients of the body's
-/// force (without one 0, and fewer), or of all bodies' and then of each, seconds since the start and by phase of the step. A row waits
-/// for the step after it, since a force is a rate of change; that of the start, which has no force,
-/// is left out.
+/// force (without one 0, and fewer), or of all bodies' and then of each, seconds since the start
+/// and by phase of the step. A row waits for the step after it, since a force is a rate of change;
+/// that of the start, which has no force, is left out.
 ///
 /// solver  the flow that is measured; it outlives the rows
 class Rows {

@@ -28,9 +28,9 @@ class Placement {
 };
 
 /// The shape with that outline. The curve is asked only while it is drawn: 128 stretches of its
-/// parameter, and more where it bends or changes fast, become polynomials (body/outlines/piece.hpp) without
-/// more error than the round-off of the formula. The nearest place is sought by Newton's method
-/// from the nearest of their chords.
+/// parameter, and more where it bends or changes fast, become polynomials (body/outlines/piece.hpp)
+/// without more error than the round-off of the formula. The nearest place is sought by Newton's
+/// method from the nearest of their chords.
 ///
 /// breaks  parameters where the second derivative jumps, or the speed; the direction does not
 /// error   round-off of place, distance, normal, arc length and curvature: 1e-13 of the largest

@@ -186,9 +186,10 @@ std::string Document::place(std::string_view key) const {
   for (const std::string& name : {std::string(key), without_numbers(key)})
     if (const auto found = overrides_.find(name); found != overrides_.end())
       return typed(found->second);
-  const auto node = root_.at_path(key);
-  if (node && node.node()->source().begin.line > 0)
-    return fmt::format("{}:{}", path_.string(), node.node()->source().begin.line);
+  const toml::node* quoted = root_.get(key);  // "a.b" = 1
+  const toml::node* node = quoted ? quoted : root_.at_path(key).node();
+  if (node && node->source().begin.line > 0)
+    return fmt::format("{}:{}", path_.string(), node->source().begin.line);
   // A table that only the command line knows: the first override inside it.
   const auto inside = overrides_.lower_bound(fmt::format("{}.", key));
   if (inside != overrides_.end() && inside->first.starts_with(fmt::format("{}.", key))) {

@@ -14,8 +14,9 @@ namespace vortree::io {
 /// each key came from so that errors can say it.
 class Document {
  public:
-  /// An override that is a table sets its keys one by one and leaves the others of that table. One of
-  /// a key in a list of tables is for each of them, body.panels=200, or for one, body[1].panels=200.
+  /// An override that is a table sets its keys one by one and leaves the others of that table. One
+  /// of a key in a list of tables is for each of them, body.panels=200, or for one,
+  /// body[1].panels=200.
   /// throws  InputError: empty, not TOML (with the line), an override that cannot be understood
   Document(std::string_view text, std::filesystem::path path,
            std::span<const std::string> overrides);

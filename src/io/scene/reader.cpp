@@ -29,7 +29,9 @@ struct Value {
   }
   /// flow.stream for flow.stream[1]: the place of an element is the place of its array.
   [[nodiscard]] std::string_view base() const {
-    return std::string_view(name).substr(0, name.find('['));
+    std::string_view all = name;
+    while (all.ends_with(']')) all = all.substr(0, all.rfind('['));
+    return all;
   }
   [[nodiscard]] Value element(std::size_t i) const {
     return {document, fmt::format("{}[{}]", name, i), (*node.as_array())[i]};

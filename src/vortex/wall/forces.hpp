@@ -50,8 +50,8 @@ struct WallShear {
 WallShear wall_shear(const Blobs& blobs, std::span<const double> sheet, const Wall& wall, double nu,
                      double dt, double sigma_0, const WallPoints& found = WallPoints());
 
-/// Pressure of the fluid on each body at rest (or in its frame, motion.hpp), from the sheet that one
-/// step of dt had to release:
+/// Pressure of the fluid on each body at rest (or in its frame, motion.hpp), from the sheet that
+/// one step of dt had to release:
 ///
 ///   dp/ds = -gamma/dt,   F = -int p n ds = (-sum gamma b y, sum gamma b x)/dt
 ///                        M = int p x.t ds = -1/2 int |x|^2 dp/ds ds = sum gamma b |x|^2/(2 dt)

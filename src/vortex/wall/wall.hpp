@@ -53,10 +53,10 @@ struct Ring {
 ///
 /// gamma, slip and tangent all anticlockwise (the bare stream past a circle gives -2 U sin theta).
 /// The trapezoid rule converges faster than any power of b on a smooth curve; K(x, x) is the
-/// curvature/(4 pi). Between bodies it errs by exp(-2 pi distance/b). The matrix is factorised once.
-/// The average of a vortex's tangential velocity is the angle under which it sees the panel,
-/// gamma/(2 pi b) * angle: exact however near it is. A core that the wall folds is seen as three bare
-/// points with its second moments (three_points.hpp), a free one as one.
+/// curvature/(4 pi). Between bodies it errs by exp(-2 pi distance/b). The matrix is factorised
+/// once. The average of a vortex's tangential velocity is the angle under which it sees the panel,
+/// gamma/(2 pi b) * angle: exact however near it is. A core that the wall folds is seen as three
+/// bare points with its second moments (three_points.hpp), a free one as one.
 /// cost    setting up O(panels^3) once; a sheet O(panels^2 + blobs near the wall)
 /// source  Koumoutsakos, Leonard & Pepin, J. Comput. Phys. 113 (1994), eq. 12-15
 class Wall {

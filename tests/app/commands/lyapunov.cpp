@@ -43,8 +43,8 @@ window = [-1.2, -1.2, 1.2, 1.2]
 field_spacing = 0.06
 )";
 
-/// The exponent of a Lamb-Oseen vortex is known: fluid at r is sheared by s = r d/dr of the angle by
-/// which it turns, and the stretch of a shear s is s/2 + sqrt(1 + s^2/4).
+/// The exponent of a Lamb-Oseen vortex is known: fluid at r is sheared by s = r d/dr of the angle
+/// by which it turns, and the stretch of a shear s is s/2 + sqrt(1 + s^2/4).
 const std::string compare = R"(
 import h5py, numpy as np
 with h5py.File('r/lyapunov.h5') as file:

@@ -149,9 +149,11 @@ TEST_CASE("probes that cannot be meant are refused with their number and the rea
   CHECK(refused("[[probe]]\npoints = [[0, 0]]\nevery = 0.01\n") ==
         place + "probe[0].every is 0.01; it must be >= time.dt = 0.05");
   CHECK(refused("[[probe]]\npoints = [[0, 0], [1]]\n") ==
-        place + "probe[0].points[1] has 1 elements; an array of 2 numbers was expected");
+        "cases/vortex.toml:15: probe[0].points[1] has 1 elements; an array of 2 numbers was "
+        "expected");
   CHECK(refused("[[probe]]\npoints = 3\n") ==
-        place + "probe[0].points is an integer; an array of arrays of 2 numbers was expected");
+        "cases/vortex.toml:15: probe[0].points is an integer; an array of arrays of 2 numbers was "
+        "expected");
   CHECK_THAT(refused("[[probe]]\nline = [0, 0, 1, 1]\ncount = 2000000\n"),
              Contains("probe has 2e+06 places; 1e+06 at most are told"));
 }

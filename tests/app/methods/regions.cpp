@@ -82,16 +82,16 @@ TEST_CASE("a list of tables can be written on the command line") {
   CHECK(regions_of(scene) == std::vector<sph::RegionSettings>{{{0.5, 0.5}, {0.2, 0.2}, 0, 0.02}});
 }
 
-TEST_CASE("what is wrong in one of several tables is refused with its number and the list's line") {
+TEST_CASE("what is wrong in one of several tables is refused with its number and its own line") {
   CHECK(refused(with("spacing = 0.01", "spacing = -1")) ==
-        "cases/vortices.toml:10: sph.region[1].spacing is -1; it must be > 0");
+        "cases/vortices.toml:18: sph.region[1].spacing is -1; it must be > 0");
   CHECK(refused(with("half_axes = [0.1, 0.1]", "half_axes = [0.1, 0]")) ==
-        "cases/vortices.toml:10: sph.region[1].half_axes[1] is 0; it must be > 0");
+        "cases/vortices.toml:17: sph.region[1].half_axes[1] is 0; it must be > 0");
   CHECK(refused(with("centre = [0, 0]\n", "")) ==
-        "cases/vortices.toml:10: [sph.region[1]] needs the key centre");
+        "cases/vortices.toml:15: [sph.region[1]] needs the key centre");
   CHECK_THAT(
       refused(with("angle = 30", "angel = 30")),
-      Contains("cases/vortices.toml:10: sph.region[0].angel is not a key of [sph.region[0]]") &&
+      Contains("cases/vortices.toml:13: sph.region[0].angel is not a key of [sph.region[0]]") &&
           Contains("did you mean angle?"));
   for (const std::string text : {"3", "[1, 2]", "{centre = [0, 0]}", "[{spacing = 1}, 2]"})
     CHECK_THAT(refused(two_regions, {"sph.region=" + text}),

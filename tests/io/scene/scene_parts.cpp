@@ -180,7 +180,7 @@ TEST_CASE("[motion] is that of a circle, and its speed is the wall's") {
   CHECK(flow::fastest_of(parse(plain + circle + spins, {"flow.stream=[3,0]"})) == 4);
   CHECK_THAT(refused(plain + spins), Contains("there is no [body]"));
   CHECK_THAT(refused(plain + "[body]\nshape = \"ellipse\"\nradius = 1\nacross = 0.5\n" + spins),
-             Contains("only a circle can turn in its place, body.shape is \"ellipse\""));
+             Contains("only a circle can turn in its place, the shape of the body is \"ellipse\""));
   CHECK_THAT(refused(plain + circle + "[motion]\n"),
              Contains("[motion] needs one of the keys x, y, angle, file, spin"));
 }

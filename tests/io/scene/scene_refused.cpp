@@ -48,8 +48,10 @@ TEST_CASE("a value of the wrong type is refused with what it is and what was exp
         "cases/ring.toml:18: check.exact is an integer; a string was expected");
   CHECK(refused("velocity = 3\n" + plain) ==
         "cases/ring.toml:1: velocity is an integer; a table was expected");
-  CHECK(extra("[[body]]\nradius = 1") ==
-        "cases/ring.toml:17: body is an array; a table was expected");
+  CHECK(extra("[[velocity]]\ntolerance = 1e-6") ==
+        "cases/ring.toml:17: velocity is an array; a table was expected");
+  CHECK(refused("body = [1, 2]\n" + plain) ==
+        "cases/ring.toml:1: body is an array; tables were expected in it");
   CHECK(extra("[velocity]\nmethod = \"fast\"") ==
         "cases/ring.toml:18: velocity.method is \"fast\"; known: fmm, boxes, direct");
 }

@@ -8,8 +8,8 @@ using namespace vortree::sph::test;
 
 namespace {
 
-/// The drag coefficient, by pressure and friction, after three steps at Re = 20, in a unit of length
-/// and one of speed.
+/// The drag coefficient, by pressure and friction, after three steps at Re = 20, in a unit of
+/// length and one of speed.
 double drag(double length, double speed, const std::string& outside) {
   SphScene scene;
   scene.of.flow.stream = {speed, 0};
