@@ -129,6 +129,25 @@ def cylinder_in_box():
                 for row in read("cases/cylinder_re20_box.csv")])
 
 
+def hold_signed(where, cell, value):
+    """A number that may have a minus."""
+    hold(where, cell.replace("-", " "), [abs(float(value))])
+    if cell.strip().startswith("-") != (float(value) < 0):
+        failed.append(f"{where}: {cell.strip()!r}, but the file has {value}")
+
+
+def foil_that_plunges():
+    """Means of its last two periods: cases/README.md."""
+    page, told = "cases/README.md", ("k", "accuracy", "steps", "edge", "drag_impulse", "drag_wall",
+                                     "rise", "particles", "processor_seconds")
+    runs, rows = read("cases/plunging_naca0012.csv"), table(page, "| k | accuracy | steps")
+    if len(rows) != len(runs):
+        failed.append(f"{page}: {len(rows)} runs of a foil that plunges, not {len(runs)}")
+    for cells, run in zip(rows, runs):
+        for cell, name in zip(cells, told):
+            hold_signed(f"{page}: {name} of a foil that plunges", cell, run[name])
+
+
 METHODS = "cases/methods.md"
 
 
@@ -348,6 +367,8 @@ TOLD = {
     "pitching_ellipse": ("drag_max", "lift_error_max", "lift_error_rms"),
     "pitching_foil": ("routes_max", "lift_routes_max"),
     "plunging_naca0012": ("theodorsen_max", "lift_routes_max"),
+    "plunging_naca0012_re252": ("mean_drag_max", "lift_routes_max", "routes_max"),
+    "plunging_naca0012_k8": ("mean_drag_max", "lift_routes_max", "routes_max"),
     "lamb_oseen": ("vorticity_max", "velocity_max"),
     "kirchhoff_ellipse": ("rotation_max", "energy_max"),
     "dipole": ("speed_max", "impulse_max", "energy_max"),
@@ -408,6 +429,7 @@ def gallery():
 what_a_digit_costs()
 cylinder_by_sph()
 cylinder_in_box()
+foil_that_plunges()
 held_against_the_reference()
 accuracy_by_second()
 long_runs()

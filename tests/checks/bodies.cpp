@@ -211,6 +211,10 @@ TEST_CASE("a wake that sheds has its frequency and its means, from a hundred row
   CHECK(drag.with("cd_impulse", wave(0.2, 1.32)).verdict(1000).passed());
   CHECK(drag.with("cd_impulse", wave(0.2, 1.4)).verdict(1000).missed());
   CHECK_FALSE(drag.verdict(99).reached.value);
+  MadeUpRun thrust = held("mean_drag_max=0.03", {"check.mean_drag=-0.15"});
+  CHECK(thrust.with("cd_impulse", wave(0.2, -0.153)).verdict(1000).passed());
+  CHECK(thrust.with("cd_impulse", wave(0.2, -0.16)).verdict(1000).missed());
+  CHECK(thrust.with("cd_impulse", wave(0.2, 0.15)).verdict(1000).missed());
 }
 
 TEST_CASE("of several bodies each has its means, and its lift a frequency, a size and a phase") {

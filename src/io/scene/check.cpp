@@ -393,10 +393,11 @@ std::vector<Key> of_shedding(CheckSettings& c) {
           "of a wake that sheds: the highest peak of the lift's spectrum, times D/U; of several "
           "bodies that of each, and the farthest off counts"),
       most("strouhal_max", c.strouhal_max, "deviation from `check.strouhal`, relative"),
-      key("mean_drag", c.mean_drag, positive, "",
-          "of a wake that sheds, or past a body that plunges: mean drag, by impulse or by SPH at "
-          "the wall"),
-      most("mean_drag_max", c.mean_drag_max, "deviation from `check.mean_drag`, relative"),
+      key("mean_drag", c.mean_drag, anything, "",
+          "of a wake that sheds, or past a body that plunges: mean drag (thrust: below 0), by "
+          "impulse or by SPH at the wall"),
+      most("mean_drag_max", c.mean_drag_max,
+           "deviation from `check.mean_drag`, relative; as it is if that is 0"),
       key("mean_lift", c.mean_lift, anything, "", "of a wake that sheds: mean lift, likewise"),
       most("mean_lift_max", c.mean_lift_max,
            "deviation from `check.mean_lift`, relative; as it is if that is 0"),
