@@ -5,12 +5,25 @@
 namespace vortree::flow {
 namespace {
 
-/// Along which drag points in fluid at rest: the way of a plunge; else against the fastest motion.
-Vec2 way_of(const body::Motion& motion) {
-  if (motion.plunge.frequency > 0) return motion.plunge.amplitude;
+Vec2 fastest_of(const body::Motion& motion) {
   Vec2 fastest;
   for (const double t : motion.course.times())
     if (const Vec2 v = motion.course.at(t).velocity; dot(v, v) > dot(fastest, fastest)) fastest = v;
+  return fastest;
+}
+
+/// Along which drag points: down the stream; in fluid at rest the way of a plunge, or against the
+/// fastest motion, of all bodies or else of one.
+Vec2 way_of(const Case& of) {
+  const auto [u, v] = of.flow.stream;
+  if (u != 0 || v != 0) return {u, v};
+  const body::Motion motion = body::motion_of(of.plunge, of.motion);
+  if (motion.plunge.frequency > 0) return motion.plunge.amplitude;
+  Vec2 fastest = fastest_of(motion);
+  for (const body::BodySettings& one : every_body(of))
+    if (const Vec2 own = fastest_of(body::motion_of(std::nullopt, one.motion));
+        dot(fastest, fastest) == 0)
+      fastest = own;
   return -1 * fastest;
 }
 
@@ -28,11 +41,9 @@ Scales scales_of(const Case& of) {
   if (const double speed = speed_of(of); speed > 0) scales.speed = speed;
   if (const auto initial = periodic_flow_of(of))
     scales.length = initial->wavelength, scales.speed = initial->speed;
-  const auto [u, v] = of.flow.stream;
-  const body::Motion motion = body::motion_of(of.plunge, of.motion);
-  if (const Vec2 way = u != 0 || v != 0 ? Vec2{u, v} : way_of(motion); dot(way, way) > 0)
-    scales.along = unit(way);
-  scales.impulsive = speed_of_stream(of) > 0 || begins_at_once(motion);
+  if (const Vec2 way = way_of(of); dot(way, way) > 0) scales.along = unit(way);
+  scales.impulsive =
+      speed_of_stream(of) > 0 || begins_at_once(body::motion_of(of.plunge, of.motion));
   for (const body::BodySettings& one : every_body(of))
     scales.impulsive |= begins_at_once(body::motion_of(std::nullopt, one.motion));
   return scales;
