@@ -1,0 +1,57 @@
+#!/usr/bin/python3
+"""Writes two_accuracies.csv anew: what bodies of all kinds come to at two accuracies.
+
+    ./vortree run SCENE accuracy=COARSE,FINE --overwrite    for those that are to be told anew
+    cases/two_accuracies.py [RUNS]                          RUNS: runs/ beside this folder
+
+A row a scene, check and accuracy: what was asked, what was reached, and the seconds of the run, from
+the summary.json that the sweep has left of it. Scenes without such runs in RUNS keep their rows.
+"""
+
+import csv
+import json
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+TABLE = HERE / "two_accuracies.csv"
+NAMES = ("scene", "accuracy", "what", "asked", "reached", "seconds")
+NOTE = "# Written by cases/two_accuracies.py from runs of `./vortree run SCENE accuracy=A,B`.\n"
+
+
+def kept():
+    if not TABLE.exists():
+        return []
+    with TABLE.open() as file:
+        return [tuple(row.values()) for row in csv.DictReader(line for line in file
+                                                              if not line.startswith("#"))]
+
+
+def rows_of(scene, folder):
+    """Of each accuracy, the coarsest first."""
+    runs = sorted(folder.glob("accuracy=*"), key=lambda run: -float(run.name.split("=")[1]))
+    for run in runs:
+        summary = json.loads((run / "summary.json").read_text())
+        for what, found in summary["check"].items():
+            if what != "passed" and found["reached"] is not None:
+                yield (scene, run.name.split("=")[1], what, found["asked"], found["reached"],
+                       summary["seconds"])
+
+
+def main():
+    runs = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parent / "runs"
+    told = {}
+    for row in kept():
+        told.setdefault(row[0], []).append(row)
+    for scene in sorted(path.stem for path in HERE.glob("*.toml")):
+        if list((runs / scene).glob("accuracy=*/summary.json")):
+            told[scene] = list(rows_of(scene, runs / scene))
+    with TABLE.open("w") as file:
+        file.write(NOTE)
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(NAMES)
+        for scene in sorted(told):
+            table.writerows(told[scene])
+
+
+main()
