@@ -1,0 +1,150 @@
+#include "tree/neighbors/neighbors.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "python/bind.hpp"
+#include "python/columns.hpp"
+#include "python/unlocked.hpp"
+#include "python/words.hpp"
+#include "tree/base/parallel.hpp"
+#include "tree/neighbors/ball_search.hpp"
+
+namespace vortree::python {
+namespace {
+
+namespace py = pybind11;
+using tree::PairList;
+
+constexpr std::array<std::string_view, 3> rule_words{"max", "mean", "own"};
+
+/// Particles as they were placed, by their numbers.
+struct PlacesByNumber {
+  std::vector<double> x, y;
+
+  explicit PlacesByNumber(const tree::SortedParticles& placed) : x(placed.size), y(placed.size) {
+    for (std::size_t k = 0; k < placed.size; ++k) {
+      const auto i = static_cast<std::size_t>(placed.id[k]);
+      x[i] = placed.x[k], y[i] = placed.y[k];
+    }
+  }
+};
+
+tree::Buffer<double> distances_of(const PairList& rows, const PlacesByNumber& at) {
+  tree::Buffer<double> distance;
+  distance.renew(rows.index.size());
+  const auto write = [&](std::uint32_t i) {
+    for (std::int64_t k = rows.start[i]; k < rows.start[i + 1]; ++k) {
+      const auto j = static_cast<std::size_t>(rows.index[static_cast<std::size_t>(k)]);
+      const double dx = at.x[j] - at.x[i], dy = at.y[j] - at.y[i];
+      distance[static_cast<std::size_t>(k)] = std::hypot(dx, dy);
+    }
+  };
+  tree::share_evenly(tree::all_of(rows.size()), rows.size() > tree::worth_sharing, write);
+  return distance;
+}
+
+// Rows of two numbers, the smaller first.
+tree::Buffer<std::int64_t> pairs_of(const PairList& rows) {
+  tree::Buffer<std::int64_t> pairs;
+  pairs.renew(2 * rows.index.size());
+  std::int64_t* to = pairs.data();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const std::int64_t j : rows.row(i)) {
+      const auto own = static_cast<std::int64_t>(i);
+      *to++ = std::min(own, j), *to++ = std::max(own, j);
+    }
+  return pairs;
+}
+
+/// A search that several threads of Python may ask: one after the other, for it uses its memory
+/// again.
+class SharedSearch {
+ public:
+  SharedSearch(const NumpyReals& x, const NumpyReals& y, const NumpyReals& reach, int threads) {
+    place(x, y, reach, threads);
+  }
+
+  void place(const NumpyReals& x, const NumpyReals& y, const NumpyReals& reach, int threads) {
+    const tree::Points points{values_of(x), values_of(y)};
+    const auto reaches = values_of(reach);
+    unlocked(threads, [&] {
+      const std::lock_guard alone(mutex_);
+      search_.place(points, reaches);
+      balls_.reset();
+    });
+  }
+
+  py::tuple rows(std::string_view rule, bool half, bool distances, int threads) {
+    PairList rows;
+    tree::Buffer<double> distance;
+    list(rule, half ? tree::Listing::once : tree::Listing::both_ways, threads, [&](PairList found) {
+      if (distances) distance = distances_of(found, PlacesByNumber(search_.placed()));
+      rows = std::move(found);
+    });
+    return py::make_tuple(owning(std::move(rows.start)), owning(std::move(rows.index)),
+                          owning(std::move(distance)));
+  }
+
+  py::array_t<std::int64_t> pairs(std::string_view rule, int threads) {
+    tree::Buffer<std::int64_t> pairs;
+    list(rule, tree::Listing::once, threads,
+         [&](const PairList& found) { pairs = pairs_of(found); });
+    return owning(std::move(pairs));
+  }
+
+  py::tuple balls(const NumpyReals& x, const NumpyReals& y, const NumpyReals& radius, int threads) {
+    const tree::Points places{values_of(x), values_of(y)};
+    const auto radii = values_of(radius);
+    PairList rows;
+    unlocked(threads, [&] {
+      const std::lock_guard alone(mutex_);
+      if (!balls_) {
+        const PlacesByNumber points(search_.placed());
+        balls_.emplace(tree::Points{points.x, points.y});
+      }
+      balls_->list(places, radii, rows);
+    });
+    return py::make_tuple(owning(std::move(rows.start)), owning(std::move(rows.index)));
+  }
+
+  [[nodiscard]] std::size_t size() const { return search_.placed().size; }
+  [[nodiscard]] std::size_t bytes() const { return search_.bytes(); }
+
+ private:
+  template <class Use>
+  void list(std::string_view word, tree::Listing listing, int threads, const Use& use) {
+    const auto rule = chosen<tree::PairRule>("rule", word, rule_words);
+    unlocked(threads, [&] {
+      const std::lock_guard alone(mutex_);
+      PairList found;
+      search_.list(rule, listing, found);
+      use(std::move(found));
+    });
+  }
+
+  std::mutex mutex_;
+  tree::Neighbors search_;
+  std::optional<tree::BallSearch> balls_;
+};
+
+}  // namespace
+
+void bind_neighbors(py::module_& core) {
+  py::class_<SharedSearch>(core, "Neighbors")
+      .def(py::init<const NumpyReals&, const NumpyReals&, const NumpyReals&, int>())
+      .def("place", &SharedSearch::place)
+      .def("rows", &SharedSearch::rows)
+      .def("pairs", &SharedSearch::pairs)
+      .def("balls", &SharedSearch::balls)
+      .def_property_readonly("size", &SharedSearch::size)
+      .def_property_readonly("nbytes", &SharedSearch::bytes);
+}
+
+}  // namespace vortree::python
