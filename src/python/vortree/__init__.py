@@ -19,5 +19,6 @@ if not _told:
 from ._neighbors import Neighbors  # noqa: E402
 from ._plan import Plan, velocity  # noqa: E402
 from ._quadtree import Quadtree  # noqa: E402
+from ._runs import Run, read, run  # noqa: E402
 
-__all__ = ["Neighbors", "Plan", "Quadtree", "velocity"]
+__all__ = ["Neighbors", "Plan", "Quadtree", "Run", "read", "run", "velocity"]

@@ -57,3 +57,6 @@ class Neighbors:
     def size(self) -> int: ...
     @property
     def nbytes(self) -> int: ...
+
+def threads() -> int:
+    """As many as OpenMP takes where no number is asked for."""

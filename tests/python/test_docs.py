@@ -1,0 +1,42 @@
+import doctest
+import inspect
+from pathlib import Path
+
+import pytest
+import vortree
+from vortree import _arrays, _core, _neighbors, _plan, _quadtree, _runs
+
+FLAGS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
+PAGE = Path(__file__).resolve().parents[2] / "src" / "python" / "README.md"
+
+
+@pytest.mark.parametrize("module", [_arrays, _neighbors, _plan, _quadtree, _runs])
+def test_examples_of_docstrings_run(module):
+    found = doctest.testmod(module, optionflags=FLAGS)
+    assert found.attempted > 0 and found.failed == 0
+
+
+def test_examples_of_the_page_run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = doctest.testfile(str(PAGE), module_relative=False, optionflags=FLAGS)
+    assert found.attempted > 5 and found.failed == 0
+
+
+def test_what_is_public_has_a_docstring():
+    for name in vortree.__all__:
+        thing = getattr(vortree, name)
+        assert inspect.getdoc(thing), name
+        if inspect.isclass(thing):
+            for method, part in vars(thing).items():
+                if not method.startswith("_"):
+                    assert inspect.getdoc(part) or method == "rule", f"{name}.{method}"
+
+
+def test_the_stub_names_what_the_compiled_module_has():
+    stub = {}
+    exec(compile((Path(vortree.__file__).parent / "_core.pyi").read_text(), "_core.pyi", "exec"), stub)
+    for name in ("Neighbors", "Plan", "Quadtree"):
+        def public(kind):
+            return {part for part in vars(kind) if not part.startswith("_")}
+        assert public(stub[name]) == public(getattr(_core, name))
+    assert stub["threads"] and _core.threads() > 0
