@@ -1,5 +1,6 @@
 #include "tree/neighbors/neighbors.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

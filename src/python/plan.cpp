@@ -1,5 +1,8 @@
 #include "fmm/plan.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #include "tree/build/quadtree.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <string_view>
 #include <utility>
@@ -59,6 +59,10 @@ py::tuple centres_of(const Quadtree& tree) {
   return py::make_tuple(x, y);
 }
 
+const Quadtree& held(const py::object& tree) {
+  return tree.cast<const Quadtree&>();
+}
+
 }  // namespace
 
 void bind_quadtree(py::module_& core) {
@@ -68,15 +72,12 @@ void bind_quadtree(py::module_& core) {
       .def("__eq__", [](const Quadtree& a, const Quadtree& b) { return a == b; })
       .def("cells", &cells_of)
       .def("centres", &centres_of)
-      .def("order",
-           [](py::object tree) { return view_of(tree.cast<const Quadtree&>().order(), tree); })
-      .def("keys",
-           [](py::object tree) { return view_of(tree.cast<const Quadtree&>().keys(), tree); })
-      .def("childless",
-           [](py::object tree) { return view_of(tree.cast<const Quadtree&>().childless(), tree); })
+      .def("order", [](py::object tree) { return view_of(held(tree).order(), tree); })
+      .def("keys", [](py::object tree) { return view_of(held(tree).keys(), tree); })
+      .def("childless", [](py::object tree) { return view_of(held(tree).childless(), tree); })
       .def("domain",
            [](const Quadtree& tree) {
-             return std::array{tree.domain().x0, tree.domain().y0, tree.domain().side};
+             return py::make_tuple(tree.domain().x0, tree.domain().y0, tree.domain().side);
            })
       .def_property_readonly("depth", &Quadtree::depth);
 }

@@ -150,7 +150,7 @@ def test_nobody_has_no_neighbors():
     assert near.rows()[0].tolist() == [0] and near.query_pairs("ndarray").shape == (0, 2)
     assert near.query_ball_point(0, 0, 1) == []
     assert near.query_ball_point([], [], 1, return_length=True).shape == (0,)
-    assert near.sparse_distance_matrix().shape == (0, 0) if False else True
+    assert near.sparse_distance_matrix().shape == (0, 0)
 
 
 @pytest.mark.parametrize("given, said", [

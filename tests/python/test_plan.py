@@ -67,7 +67,6 @@ def test_all_fields_keep_the_tolerance():
     u, v, ux, uy, vx, psi, omega = direct(x, y, gamma, sigma, tx, ty)
     for tolerance in (1e-4, 1e-10):
         plan = vortree.Plan(x, y, gamma, sigma, tolerance=tolerance)
-        assert off(np.hypot(*(plan.velocity(tx, ty) - np.array([u, v]))), np.hypot(u, v)) >= 0
         assert off(np.concatenate(plan.velocity(tx, ty)), np.concatenate([u, v])) < tolerance
         found = plan.gradient(tx, ty)
         assert off(np.concatenate(found), np.concatenate([ux, uy, vx])) < 2 * tolerance

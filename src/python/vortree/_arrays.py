@@ -48,17 +48,22 @@ def points(x: Any, *others: Any) -> Tuple[Any, ...]:
     An array of two dimensions cannot be x alone; then what follows it stands one place earlier.
     """
     if getattr(x, "ndim", None) == 2 or (not hasattr(x, "ndim") and np.ndim(x) == 2):
-        if others[-1] is not None and others[0] is not None:
-            raise ValueError("x has two dimensions, as rows (x, y) have; then there is no y")
-        given = [value for value in others if value is not None]
-        x, y, _ = places(x, None)
-        return (x, y, *given, *[None] * (len(others) - 1 - len(given)))
+        return (*places(x, None)[:2], *_one_place_earlier(*others))
     if others[0] is None:
         raise ValueError("y is missing; x has not the shape (n, 2)")
     x, y, shape = places(x, others[0])
     if len(shape) != 1:
         raise ValueError(f"x has the shape {shape}; (n,), or (n, 2) for rows (x, y), was expected")
     return (x, y, *others[1:])
+
+
+def _one_place_earlier(y: Any, *others: Any) -> Tuple[Any, ...]:
+    if y is None:
+        return others
+    given = [y, *(value for value in others if value is not None)]
+    if len(given) > len(others):
+        raise ValueError("x has two dimensions, as rows (x, y) have; then there is no y")
+    return (*given, *[None] * (len(others) - len(given)))
 
 
 def per_point(name: str, values: Any, n: int) -> Column:

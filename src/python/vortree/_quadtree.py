@@ -85,7 +85,7 @@ class Quadtree:
     @property
     def domain(self) -> Tuple[float, float, float]:
         """(x0, y0, side) of the square of level 0 [m]."""
-        return tuple(self._tree.domain())
+        return self._tree.domain()
 
     @property
     def depth(self) -> int:
