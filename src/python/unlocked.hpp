@@ -2,14 +2,21 @@
 
 #include <omp.h>
 #include <pybind11/pybind11.h>
+#include <unistd.h>
 
 namespace vortree::python {
 
-/// So many OpenMP threads for what this thread computes, as long as it lives; 0: as before.
+/// The process that has loaded the module. One that was forked from it, as multiprocessing does,
+/// has not got its OpenMP threads, and would wait for them for ever.
+inline const pid_t loaded_by = ::getpid();
+
+/// So many OpenMP threads for what this thread computes, as long as it lives; 0: as before. One in
+/// a process that was forked.
 class ThreadChoice {
  public:
   explicit ThreadChoice(int threads) : before_(omp_get_max_threads()) {
-    if (threads > 0) omp_set_num_threads(threads);
+    const int good = ::getpid() == loaded_by ? threads : 1;
+    if (good > 0) omp_set_num_threads(good);
   }
   ~ThreadChoice() { omp_set_num_threads(before_); }
   ThreadChoice(const ThreadChoice&) = delete;

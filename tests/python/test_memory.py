@@ -1,9 +1,11 @@
 """Who owns what: copies, references, threads, leaks."""
 
 import gc
+import multiprocessing
 import sys
 import threading
 import tracemalloc
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -154,6 +156,18 @@ def test_the_interpreter_is_free_while_the_library_works():
     for work in works:
         # The other may be slow to wake up; once is a proof.
         assert any(lets_others_run(work) for _ in range(5))
+
+
+def norm_of(k):
+    return float(np.linalg.norm(vortree.velocity(*blobs(20000, k), threads=2)))
+
+
+def test_a_forked_process_sums_by_one_thread_and_does_not_wait_for_those_it_has_not():
+    alone = [norm_of(k) for k in range(3)]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # later Pythons doubt that it can be done
+        with multiprocessing.get_context("fork").Pool(2) as others:
+            assert others.map_async(norm_of, range(3)).get(timeout=100) == alone
 
 
 def test_one_call_does_not_set_the_threads_of_the_next():
