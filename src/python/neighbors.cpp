@@ -37,14 +37,20 @@ struct PlacesByNumber {
   }
 };
 
+/// sqrt(dx dx + dy dy), of lengths of any size.
+double distance_of(double dx, double dy) {
+  const double square = dx * dx + dy * dy;
+  if (square >= tree::least_square && square <= tree::largest_square) return std::sqrt(square);
+  return std::hypot(dx, dy);
+}
+
 tree::Buffer<double> distances_of(const PairList& rows, const PlacesByNumber& at) {
   tree::Buffer<double> distance;
   distance.renew(rows.index.size());
   const auto write = [&](std::uint32_t i) {
     for (std::int64_t k = rows.start[i]; k < rows.start[i + 1]; ++k) {
       const auto j = static_cast<std::size_t>(rows.index[static_cast<std::size_t>(k)]);
-      const double dx = at.x[j] - at.x[i], dy = at.y[j] - at.y[i];
-      distance[static_cast<std::size_t>(k)] = std::hypot(dx, dy);
+      distance[static_cast<std::size_t>(k)] = distance_of(at.x[j] - at.x[i], at.y[j] - at.y[i]);
     }
   };
   tree::share_evenly(tree::all_of(rows.size()), rows.size() > tree::worth_sharing, write);

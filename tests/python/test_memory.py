@@ -25,6 +25,7 @@ def test_what_is_contiguous_float64_is_not_copied():
 def test_a_plan_and_a_search_allocate_no_arrays_for_what_they_are_given():
     n = 200_000
     x, y, gamma, sigma = blobs(n, 1)
+    sigma /= 10
     tracemalloc.start()
     try:
         plan, near = vortree.Plan(x, y, gamma, sigma), vortree.Neighbors(x, y, sigma)

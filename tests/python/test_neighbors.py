@@ -90,6 +90,12 @@ def test_rows_are_a_sparse_matrix_as_they_are():
     assert (indptr.dtype, indices.dtype) == (np.int64, np.int32)
 
 
+def test_distances_are_told_of_lengths_of_any_size():
+    for unit in (1e-300, 1e-160, 1.0, 1e160, 1e300):
+        near = vortree.Neighbors([0, 3 * unit], [0, 4 * unit], 6 * unit)
+        assert np.allclose(near.rows(distances=True)[2], 5 * unit, rtol=1e-15, atol=0)
+
+
 def test_every_form_of_the_distances_holds_the_same():
     x, y = places("uniform", 60, np.random.default_rng(7))
     near = vortree.Neighbors(x, y, 0.3)

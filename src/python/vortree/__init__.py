@@ -21,4 +21,5 @@ from ._plan import Plan, velocity  # noqa: E402
 from ._quadtree import Quadtree  # noqa: E402
 from ._runs import Run, read, run  # noqa: E402
 
+__version__: str = _core.version
 __all__ = ["Neighbors", "Plan", "Quadtree", "Run", "read", "run", "velocity"]

@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 Reals = NDArray[float64]
 
+version: str
+
 class Quadtree:
     def __init__(self, x: Reals, y: Reals, capacity: int, builder: str, finest_level: int,
                  threads: int, /) -> None: ...

@@ -119,7 +119,7 @@ class Neighbors:
         """
         _check_output(output_type, "set", "ndarray")
         pairs = self._search.pairs(self._rule, self._threads).reshape(-1, 2)
-        return pairs if output_type == "ndarray" else set(map(tuple, pairs.tolist()))
+        return pairs if output_type == "ndarray" else set(zip(*pairs.T.tolist()))
 
     def sparse_distance_matrix(self, output_type: str = "csr_matrix") -> Any:
         """Distances of neighbors as a sparse matrix: |x_i - x_j| in row i, column j.
