@@ -120,7 +120,7 @@ def test_blobs_may_be_given_in_any_form():
     for given in [(rows, gamma, sigma), (rows.tolist(), gamma, sigma), tuple(wide[:, ::2]),
                   (x.tolist(), list(y), tuple(gamma), sigma), (readonly, y, gamma, sigma),
                   (x.astype(">f8"), y.astype(np.longdouble), gamma, sigma),
-                  (shifted, y, gamma, sigma)]:
+                  (shifted, y, gamma, sigma), (x.astype(object), y, gamma, sigma)]:
         assert np.array_equal(vortree.Plan(*given).velocity()[0], u)
     assert np.array_equal(vortree.Plan(rows, gamma=gamma, sigma=sigma).velocity()[1], v)
     assert np.array_equal(vortree.velocity(rows, gamma, sigma=sigma)[1], v)
@@ -209,6 +209,7 @@ def test_what_is_not_finite_is_named(name, value):
     (dict(x=np.zeros((1, 2, 2)), y=np.zeros((1, 2, 2))), r"\(n, 2\) for rows"),
     (dict(x=["a", "b"]), r"x is of type <U1; real numbers"),
     (dict(x=[1j, 2]), r"x is of type complex128"),
+    (dict(x=[None, {}]), r"x holds what is no real number"),
     (dict(x=np.ma.masked_equal([0.0, 1.0], 1.0)), r"x is masked"),
     (dict(tolerance=0), r"tolerance is 0; it must be in \(0, 1\)"),
     (dict(tolerance=np.nan), r"tolerance is nan"),

@@ -83,8 +83,8 @@ inline constexpr std::size_t kept_candidates = 8192;
 /// shuffled particles, two are as fast as four where rows are short.
 inline constexpr std::int64_t fetched_lines = 4;
 /// Points of a childless cell at most where balls around places are sought: boxes of cells against
-/// distances of points. 8 to 32 cost the same within 15 %, 4 up to 40 % more (1e5 even points, balls
-/// of 1 and of 20 of them).
+/// distances of points. 8 to 32 cost the same within 15 %, 4 up to 40 % more (1e5 even points,
+/// balls of 1 and of 20 of them).
 inline constexpr std::uint32_t ball_capacity = 16;
 /// Places that a thread takes at a time.
 inline constexpr std::size_t ball_portion = 512;

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-Shape = Tuple[int, ...]
-Column = np.ndarray
+Shape = tuple[int, ...]
+Column = NDArray[np.float64]
 
 
 def column(name: str, values: Any) -> Column:
@@ -20,16 +21,19 @@ def column(name: str, values: Any) -> Column:
     >>> column("x", [1, 2])
     array([1., 2.])
     """
-    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+    if isinstance(values, np.ma.MaskedArray) and np.any(values.mask):
         raise ValueError(f"{name} is masked; every value is needed")
     array = np.asarray(values)
-    if array.dtype.kind not in "fiub":
+    if array.dtype.kind not in "fiubO":
         raise ValueError(f"{name} is of type {array.dtype}; real numbers were expected")
-    array = np.asarray(array, dtype=np.float64, order="C")
+    try:
+        array = np.asarray(array, dtype=np.float64, order="C")
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} holds what is no real number: {error}") from None
     return array if array.flags.aligned else array.copy()
 
 
-def places(x: Any, y: Any) -> Tuple[Column, Column, Shape]:
+def places(x: Any, y: Any) -> tuple[Column, Column, Shape]:
     """Columns x and y, and the shape of each: of two arrays of one shape, or of one (..., 2)."""
     if y is not None:
         x, y = column("x", x), column("y", y)
@@ -42,7 +46,7 @@ def places(x: Any, y: Any) -> Tuple[Column, Column, Shape]:
     return both[..., 0].copy(), both[..., 1].copy(), both.shape[:-1]
 
 
-def points(x: Any, *others: Any) -> Tuple[Any, ...]:
+def points(x: Any, *others: Any) -> tuple[Any, ...]:
     """(x, y, others) of n points: x, y of n values each, or one array of n rows (x, y).
 
     An array of two dimensions cannot be x alone; then what follows it stands one place earlier.
@@ -57,7 +61,7 @@ def points(x: Any, *others: Any) -> Tuple[Any, ...]:
     return (x, y, *others[1:])
 
 
-def _one_place_earlier(y: Any, *others: Any) -> Tuple[Any, ...]:
+def _one_place_earlier(y: Any, *others: Any) -> tuple[Any, ...]:
     if y is None:
         return others
     given = [y, *(value for value in others if value is not None)]
@@ -68,20 +72,18 @@ def _one_place_earlier(y: Any, *others: Any) -> Tuple[Any, ...]:
 
 def per_point(name: str, values: Any, n: int) -> Column:
     """One value a point; a single number is that of all."""
-    values = column(name, values)
-    if values.ndim == 0:
-        return np.full(n, values)
-    return one_row(name, values, n)
+    row = column(name, values)
+    return np.full(n, row.item()) if row.ndim == 0 else one_row(name, row, n)
 
 
 def one_row(name: str, values: Any, n: int) -> Column:
-    values = column(name, values)
-    if values.shape != (n,):
-        raise ValueError(f"{name} has the shape {values.shape}; x has {n} values")
-    return values
+    row = column(name, values)
+    if row.shape != (n,):
+        raise ValueError(f"{name} has the shape {row.shape}; x has {n} values")
+    return row
 
 
-def results(out: Any, count: int, shape: Shape, *inputs: Column) -> Tuple[Column, ...]:
+def results(out: Any, count: int, shape: Shape, *inputs: Column) -> tuple[Column, ...]:
     """Arrays to write to: fresh ones, or those of `out` if they fit."""
     if out is None:
         return tuple(np.empty(shape) for _ in range(count))
@@ -106,10 +108,11 @@ def _check_result(name: str, array: Any, shape: Shape) -> None:
         raise ValueError(f"{name} must be C-contiguous, aligned and writeable")
 
 
-def thread_count(threads: Optional[int]) -> int:
+def thread_count(threads: int | None) -> int:
     """So many threads of OpenMP; None: as many as it would take (OMP_NUM_THREADS)."""
     if threads is None:
         return 0
     if isinstance(threads, bool) or int(threads) != threads or not 1 <= threads <= 4096:
-        raise ValueError(f"threads is {threads}; None or a whole number from 1 to 4096 was expected")
+        raise ValueError(f"threads is {threads}; None or a whole number from 1 to 4096 was "
+                         f"expected")
     return int(threads)

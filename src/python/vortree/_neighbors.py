@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, List, Optional, Set, Tuple, Union
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import Column, per_point, places, points, thread_count
@@ -58,19 +59,20 @@ class Neighbors:
 
     __slots__ = ("_search", "_threads", "_rule")
 
-    def __init__(self, x: Any, y: Any = None, reach: Any = None, *, rule: str = "max",
-                 threads: Optional[int] = None) -> None:
+    def __init__(self, x: ArrayLike, y: ArrayLike | None = None, reach: ArrayLike | None = None,
+                 *, rule: str = "max", threads: int | None = None) -> None:
         if rule not in ("max", "mean", "own"):
             raise ValueError(f'rule is "{rule}"; it must be one of "max", "mean", "own"')
         self._rule = rule
         self._threads = thread_count(threads)
         self._search = _core.Neighbors(*_particles(x, y, reach), self._threads)
 
-    def update(self, x: Any, y: Any = None, reach: Any = None) -> None:
+    def update(self, x: ArrayLike, y: ArrayLike | None = None,
+               reach: ArrayLike | None = None) -> None:
         """Places other particles instead, in the same memory."""
         self._search.place(*_particles(x, y, reach), self._threads)
 
-    def rows(self, half: bool = False, *, distances: bool = False) -> Tuple[Column, ...]:
+    def rows(self, half: bool = False, *, distances: bool = False) -> tuple[NDArray[Any], ...]:
         """Compressed rows (indptr, indices), as scipy.sparse.csr_matrix takes them.
 
         Parameters
@@ -100,10 +102,11 @@ class Neighbors:
         >>> indices, r
         (array([1, 0], dtype=int32), array([1., 1.]))
         """
-        found = self._search.rows(self._rule, bool(half), bool(distances), self._threads)
+        found: tuple[NDArray[Any], ...] = self._search.rows(self._rule, bool(half),
+                                                            bool(distances), self._threads)
         return found if distances else found[:2]
 
-    def query_pairs(self, output_type: str = "set") -> Union[Set[Tuple[int, int]], Column]:
+    def query_pairs(self, output_type: str = "set") -> set[tuple[int, int]] | NDArray[np.int64]:
         """All pairs (i, j), i < j, each once.
 
         Parameters
@@ -141,14 +144,15 @@ class Neighbors:
         indptr, indices, distance = self.rows(distances=True)
         if output_type in ("dict", "ndarray"):
             return _entries(indptr, indices, distance, output_type)
-        from scipy.sparse import csr_matrix
+        from scipy.sparse import csr_matrix  # type: ignore[import]
 
         n = len(self)
         matrix = csr_matrix((distance, indices, indptr), shape=(n, n), copy=False)
         return matrix if output_type == "csr_matrix" else matrix.asformat(output_type[:3])
 
-    def query_ball_point(self, x: Any, y: Any = None, r: Any = None, *,
-                         return_length: bool = False, output_type: str = "list") -> Any:
+    def query_ball_point(self, x: ArrayLike, y: ArrayLike | None = None,
+                         r: ArrayLike | None = None, *, return_length: bool = False,
+                         output_type: str = "list") -> Any:
         """Particles nearer than r to any places: |x_j - x| < r; reaches do not count.
 
         Parameters
@@ -180,9 +184,9 @@ class Neighbors:
         _check_output(output_type, "list", "rows")
         if r is None:
             raise ValueError("r is missing")
-        x, y, shape = places(x, y)
-        r = per_point("r", r if np.ndim(r) == 0 else np.ravel(r), x.size)
-        indptr, indices = self._search.balls(x, y, r, self._threads)
+        px, py, shape = places(x, y)
+        radius = per_point("r", r if np.ndim(r) == 0 else np.ravel(r), px.size)
+        indptr, indices = self._search.balls(px, py, radius, self._threads)
         if return_length:
             return np.diff(indptr).reshape(shape)[()]
         return (indptr, indices) if output_type == "rows" else _lists(indptr, indices, shape)
@@ -208,7 +212,7 @@ class Neighbors:
         return self._search.nbytes
 
 
-def _particles(x: Any, y: Any, reach: Any) -> Tuple[Column, Column, Column]:
+def _particles(x: Any, y: Any, reach: Any) -> tuple[Column, Column, Column]:
     x, y, reach = points(x, y, reach)
     if reach is None:
         raise ValueError("reach is missing")
@@ -220,9 +224,10 @@ def _check_output(output_type: str, *known: str) -> None:
         raise ValueError(f'output_type is "{output_type}"; it must be one of {", ".join(known)}')
 
 
-def _lists(indptr: Column, indices: Column, shape: Tuple[int, ...]) -> Any:
+def _lists(indptr: NDArray[np.int64], indices: NDArray[np.int32],
+           shape: tuple[int, ...]) -> Any:
     numbers, ends = indices.tolist(), indptr.tolist()
-    found: List[List[int]] = [numbers[a:b] for a, b in zip(ends, ends[1:])]
+    found: list[list[int]] = [numbers[a:b] for a, b in zip(ends, ends[1:])]
     if shape == ():
         return found[0]
     lists = np.empty(len(found), dtype=object)
@@ -231,7 +236,8 @@ def _lists(indptr: Column, indices: Column, shape: Tuple[int, ...]) -> Any:
     return lists.reshape(shape)
 
 
-def _entries(indptr: Column, indices: Column, distance: Column, output_type: str) -> Any:
+def _entries(indptr: NDArray[Any], indices: NDArray[Any], distance: Column,
+             output_type: str) -> Any:
     row = np.repeat(np.arange(len(indptr) - 1), np.diff(indptr))
     if output_type == "dict":
         return dict(zip(zip(row.tolist(), indices.tolist()), distance.tolist()))

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import Column, one_row, per_point, places, points, results, thread_count
@@ -77,24 +78,26 @@ class Plan:
 
     __slots__ = ("_plan", "_threads", "_tolerance", "_mean")
 
-    def __init__(self, x: Any, y: Any = None, gamma: Any = None, sigma: Any = None, *,
+    def __init__(self, x: ArrayLike, y: ArrayLike | None = None,
+                 gamma: ArrayLike | None = None, sigma: ArrayLike | None = None, *,
                  tolerance: float = 1e-6, method: str = "fmm", builder: str = "reverse",
                  cores: str = "source", order: int = 0, capacity: int = 0,
-                 finest_level: int = 31, threads: Optional[int] = None) -> None:
-        x, y, gamma, sigma = points(x, y, gamma, sigma)
-        if gamma is None:
+                 finest_level: int = 31, threads: int | None = None) -> None:
+        px, py, strength, width = points(x, y, gamma, sigma)
+        if strength is None:
             raise ValueError("gamma is missing")
-        gamma = one_row("gamma", gamma, x.size)
-        sigma = _no_cores if sigma is None else per_point("sigma", sigma, x.size)
+        strength = one_row("gamma", strength, px.size)
+        width = _no_cores if width is None else per_point("sigma", width, px.size)
         self._threads = thread_count(threads)
         self._tolerance = float(tolerance)
         self._mean = cores == "mean"
-        self._plan = _core.Plan(x, y, gamma, sigma, self._tolerance, method, builder, cores,
+        self._plan = _core.Plan(px, py, strength, width, self._tolerance, method, builder, cores,
                                 int(order), _whole("capacity", capacity), int(finest_level),
                                 self._threads)
 
-    def velocity(self, x: Any = None, y: Any = None, sigma: Any = None, *,
-                 out: Any = None) -> Tuple[Column, Column]:
+    def velocity(self, x: ArrayLike | None = None, y: ArrayLike | None = None,
+                 sigma: ArrayLike | None = None, *,
+                 out: Any = None) -> tuple[Column, Column]:
         """Velocity (u, v) [m/s] at the blobs themselves, or at places x, y.
 
         Parameters
@@ -131,12 +134,12 @@ class Plan:
             u, v = results(out, 2, (self._plan.size,))
             self._plan.velocity(u, v, self._threads)
             return u, v
-        x, y, shape = places(x, y)
-        u, v = results(out, 2, shape, x, y)
-        self._plan.velocity_at(x, y, self._cores_of(sigma, x.size), u, v, self._threads)
+        px, py, shape = places(x, y)
+        u, v = results(out, 2, shape, px, py)
+        self._plan.velocity_at(px, py, self._cores_of(sigma, px.size), u, v, self._threads)
         return u, v
 
-    def velocity_and_gradient(self, *, out: Any = None) -> Tuple[Column, ...]:
+    def velocity_and_gradient(self, *, out: Any = None) -> tuple[Column, ...]:
         """(u, v, ux, uy, vx) at the blobs themselves, in one sweep.
 
         As velocity() and gradient(); the gradient's norm errs by ten tolerances at most.
@@ -152,15 +155,16 @@ class Plan:
         self._plan.velocity_and_gradient(u, v, ux, uy, vx, self._threads)
         return u, v, ux, uy, vx
 
-    def gradient(self, x: Any = None, y: Any = None, sigma: Any = None, *,
-                 out: Any = None) -> Tuple[Column, Column, Column]:
+    def gradient(self, x: ArrayLike | None = None, y: ArrayLike | None = None,
+                 sigma: ArrayLike | None = None, *,
+                 out: Any = None) -> tuple[Column, Column, Column]:
         """How the velocity changes: (du/dx, du/dy, dv/dx) [1/s]; dv/dy = -du/dx.
 
         ::
 
-            du/dx                = sum_j g_j b 2 dx dy / r^2          g_j = gamma_j/(2 pi), q = r^2/S
-            (dv/dx + du/dy)/2    = sum_j g_j b (dy^2 - dx^2)/r^2      b = (1 - (1 + q) exp(-q))/r^2
-            (dv/dx - du/dy)/2    = sum_j g_j exp(-q)/S                half the vorticity
+            du/dx               = sum_j g_j b 2 dx dy / r^2        g_j = gamma_j/(2 pi), q = r^2/S
+            (dv/dx + du/dy)/2   = sum_j g_j b (dy^2 - dx^2)/r^2    b = (1 - (1 + q) exp(-q))/r^2
+            (dv/dx - du/dy)/2   = sum_j g_j exp(-q)/S              half the vorticity
 
         Parameters and errors as those of velocity(); the norm of all four errs by the tolerance.
 
@@ -171,12 +175,13 @@ class Plan:
         >>> bool(np.isclose(vx[0] - uy[0], 1))          # the vorticity gamma/(pi sigma^2)
         True
         """
-        x, y, shape = self._places(x, y)
-        ux, uy, vx = results(out, 3, shape, x, y)
-        self._plan.gradient_at(x, y, self._cores_of(sigma, x.size), ux, uy, vx, self._threads)
+        px, py, shape = self._places(x, y)
+        ux, uy, vx = results(out, 3, shape, px, py)
+        self._plan.gradient_at(px, py, self._cores_of(sigma, px.size), ux, uy, vx, self._threads)
         return ux, uy, vx
 
-    def stream_function(self, x: Any = None, y: Any = None, sigma: Any = None, *,
+    def stream_function(self, x: ArrayLike | None = None, y: ArrayLike | None = None,
+                 sigma: ArrayLike | None = None, *,
                         out: Any = None) -> Column:
         """psi [m^2/s] with u = d psi/dy, v = -d psi/dx.
 
@@ -194,12 +199,13 @@ class Plan:
         >>> bool(np.isclose(psi[0], -1))
         True
         """
-        x, y, shape = self._places(x, y)
-        (psi,) = results(out, 1, shape, x, y)
-        self._plan.stream_function_at(x, y, self._cores_of(sigma, x.size), psi, self._threads)
+        px, py, shape = self._places(x, y)
+        (psi,) = results(out, 1, shape, px, py)
+        self._plan.stream_function_at(px, py, self._cores_of(sigma, px.size), psi, self._threads)
         return psi
 
-    def vorticity(self, x: Any = None, y: Any = None, *, out: Any = None) -> Column:
+    def vorticity(self, x: ArrayLike | None = None, y: ArrayLike | None = None, *,
+                  out: Any = None) -> Column:
         """omega [1/s], for pictures and checks.
 
         ::
@@ -216,25 +222,25 @@ class Plan:
         >>> bool(np.allclose(omega, [1, np.exp(-1)]))
         True
         """
-        x, y, shape = self._places(x, y)
-        (omega,) = results(out, 1, shape, x, y)
-        self._plan.vorticity_at(x, y, omega, self._tolerance, self._threads)
+        px, py, shape = self._places(x, y)
+        (omega,) = results(out, 1, shape, px, py)
+        self._plan.vorticity_at(px, py, omega, self._tolerance, self._threads)
         return omega
 
-    def _places(self, x: Any, y: Any) -> Tuple[Column, Column, Tuple[int, ...]]:
+    def _places(self, x: ArrayLike | None,
+                y: ArrayLike | None) -> tuple[Column, Column, tuple[int, ...]]:
         if x is not None:
             return places(x, y)
-        x, y = np.empty(self._plan.size), np.empty(self._plan.size)
-        self._plan.copy_places(x, y)
-        return x, y, x.shape
+        px, py = np.empty(self._plan.size), np.empty(self._plan.size)
+        self._plan.copy_places(px, py)
+        return px, py, px.shape
 
-    def _cores_of(self, sigma: Any, n: int) -> Column:
+    def _cores_of(self, sigma: ArrayLike | None, n: int) -> Column:
         if sigma is None:
             return _no_cores
         if not self._mean:
             raise ValueError('sigma of places counts with cores="mean" only')
-        sigma = per_point("sigma", np.ravel(sigma) if np.ndim(sigma) else sigma, n)
-        return sigma
+        return per_point("sigma", np.ravel(sigma) if np.ndim(sigma) else sigma, n)
 
     def __len__(self) -> int:
         return self._plan.size
@@ -269,8 +275,9 @@ class Plan:
         return Quadtree._of(self._plan.tree())
 
 
-def velocity(x: Any, y: Any = None, gamma: Any = None, sigma: Any = None, *,
-             at: Any = None, out: Any = None, **options: Any) -> Tuple[Column, Column]:
+def velocity(x: ArrayLike, y: ArrayLike | None = None, gamma: ArrayLike | None = None,
+             sigma: ArrayLike | None = None, *,
+             at: Any = None, out: Any = None, **options: Any) -> tuple[Column, Column]:
     """Velocity (u, v) of vortex blobs at themselves, or at places: Plan in one call.
 
     Parameters

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arrays import Column, points, thread_count
@@ -43,22 +44,23 @@ class Quadtree:
     __slots__ = ("_tree",)
     __hash__ = None  # type: ignore[assignment]
 
-    def __init__(self, x: Any, y: Any = None, *, capacity: int = 50, builder: str = "reverse",
-                 finest_level: int = 31, threads: Optional[int] = None) -> None:
-        x, y = points(x, y)
+    def __init__(self, x: ArrayLike, y: ArrayLike | None = None, *, capacity: int = 50,
+                 builder: str = "reverse", finest_level: int = 31,
+                 threads: int | None = None) -> None:
+        px, py = points(x, y)
         if int(capacity) != capacity or not 0 <= capacity < 2**32:
             raise ValueError(f"capacity is {capacity}; a whole number from 1 on was expected")
-        self._tree = _core.Quadtree(x, y, int(capacity), builder, int(finest_level),
+        self._tree = _core.Quadtree(px, py, int(capacity), builder, int(finest_level),
                                     thread_count(threads))
 
     @classmethod
-    def _of(cls, tree: "_core.Quadtree") -> "Quadtree":
+    def _of(cls, tree: _core.Quadtree) -> Quadtree:
         made = cls.__new__(cls)
         made._tree = tree
         return made
 
     @property
-    def cells(self) -> Column:
+    def cells(self) -> NDArray[np.void]:
         """Occupied cells, level by level, in Morton order within a level; cell 0 is the root.
 
         A structured array: `level`; column `i` and row `j` within the level; `parent`, -1 of the
@@ -68,22 +70,22 @@ class Quadtree:
         return self._tree.cells()
 
     @property
-    def order(self) -> Column:
+    def order(self) -> NDArray[np.uint32]:
         """order[k] is the number of the k-th point in Morton order. A read-only view."""
         return self._tree.order()
 
     @property
-    def keys(self) -> Column:
+    def keys(self) -> NDArray[np.uint64]:
         """Morton codes of level 31 of the points in that order, ascending. A read-only view."""
         return self._tree.keys()
 
     @property
-    def childless(self) -> Column:
+    def childless(self) -> NDArray[np.uint32]:
         """Numbers of the childless cells, in the order of their points. A read-only view."""
         return self._tree.childless()
 
     @property
-    def domain(self) -> Tuple[float, float, float]:
+    def domain(self) -> tuple[float, float, float]:
         """(x0, y0, side) of the square of level 0 [m]."""
         return self._tree.domain()
 
@@ -96,7 +98,7 @@ class Quadtree:
         """Sides of the cells, side / 2^level [m]."""
         return np.ldexp(self.domain[2], -self.cells["level"])
 
-    def centres(self) -> Tuple[Column, Column]:
+    def centres(self) -> tuple[Column, Column]:
         """(x, y) of the middles of the cells [m]."""
         return self._tree.centres()
 

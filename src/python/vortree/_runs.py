@@ -9,16 +9,17 @@ import signal
 import subprocess
 import warnings
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple, Union
+from typing import Any, Iterator, Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-_Path = Union[str, "os.PathLike[str]"]
+_Path = str | os.PathLike[str]
 
 
-def run(scene: _Path, *, out: Optional[_Path] = None, resume: bool = False,
-        overwrite: bool = False, threads: Optional[int] = None,
-        program: Optional[_Path] = None, **keys: Any) -> "Run":
+def run(scene: _Path, *, out: _Path | None = None, resume: bool = False,
+        overwrite: bool = False, threads: int | None = None,
+        program: _Path | None = None, **keys: Any) -> "Run":
     """Runs a scene by the program `vortree`, and reads what it leaves.
 
     Parameters
@@ -105,16 +106,16 @@ class Run:
         self.folder = Path(folder)
 
     @property
-    def report(self) -> Dict[str, np.ndarray]:
+    def report(self) -> dict[str, NDArray[Any]]:
         """Columns of report.csv by name, one value a step; pandas.DataFrame takes it as it is."""
         return self.table("report")
 
-    def table(self, name: str) -> Dict[str, np.ndarray]:
+    def table(self, name: str) -> dict[str, NDArray[Any]]:
         """Columns of a CSV file of the folder: report, wall, probes, outline, energy."""
         return _read_table(self.folder / f"{name}.csv")
 
     @property
-    def summary(self) -> Dict[str, Any]:
+    def summary(self) -> dict[str, Any]:
         """summary.json, which stands there when the run has ended; else empty."""
         try:
             return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
@@ -122,12 +123,12 @@ class Run:
             return {}
 
     @property
-    def passed(self) -> Optional[bool]:
+    def passed(self) -> bool | None:
         """Has it passed its [check]? None: not yet ended, or nothing is asked."""
         return self.summary.get("check", {}).get("passed")
 
     @property
-    def scene(self) -> Dict[str, Any]:
+    def scene(self) -> dict[str, Any]:
         """The scene with every default written out."""
         import tomllib
 
@@ -144,7 +145,7 @@ class Run:
         return self.frames[k]
 
     @property
-    def fields(self) -> List["Field"]:
+    def fields(self) -> list["Field"]:
         """Velocity and vorticity on a grid, at the times of output.fields; none without those."""
         path = self.folder / "fields.h5"
         if not path.exists():
@@ -160,20 +161,20 @@ class Run:
 class _Columns:
     """Arrays by name: values["x"] or values.x."""
 
-    def __init__(self, time: float, columns: Dict[str, np.ndarray]) -> None:
+    def __init__(self, time: float, columns: dict[str, NDArray[Any]]) -> None:
         self.time = time
         self.columns = columns
 
-    def __getitem__(self, name: str) -> np.ndarray:
+    def __getitem__(self, name: str) -> NDArray[Any]:
         return self.columns[name]
 
-    def __getattr__(self, name: str) -> np.ndarray:
+    def __getattr__(self, name: str) -> NDArray[Any]:
         columns = self.__dict__.get("columns", {})
         if name in columns:
             return columns[name]
         raise AttributeError(f"no column {name}; there are {', '.join(columns)}")
 
-    def __dir__(self) -> List[str]:
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.columns]
 
     def __repr__(self) -> str:
@@ -191,8 +192,8 @@ class Frame(_Columns):
     state   whatever else the run needs to go on, tracers too, by name
     """
 
-    def __init__(self, step: int, time: float, columns: Dict[str, np.ndarray],
-                 state: Dict[str, np.ndarray]) -> None:
+    def __init__(self, step: int, time: float, columns: dict[str, NDArray[Any]],
+                 state: dict[str, NDArray[Any]]) -> None:
         super().__init__(time, columns)
         self.step = step
         self.state = state
@@ -234,7 +235,7 @@ def _open(path: Path) -> Any:
     return h5py.File(path, "r", locking=False)
 
 
-def _datasets(group: Any) -> Dict[str, np.ndarray]:
+def _datasets(group: Any) -> dict[str, NDArray[Any]]:
     return {name: part[()] for name, part in group.items() if hasattr(part, "dtype")}
 
 
@@ -242,7 +243,7 @@ def _text(value: Any) -> str:
     return value.decode(errors="surrogateescape") if isinstance(value, bytes) else str(value)
 
 
-def _read_table(path: Path) -> Dict[str, np.ndarray]:
+def _read_table(path: Path) -> dict[str, NDArray[Any]]:
     """Lines that begin with # are notes; a last line that is being written is left out."""
     text = path.read_text(encoding="utf-8")
     whole = text[: text.rfind("\n") + 1]
@@ -272,7 +273,7 @@ def _find_program() -> Path:
     return Path(found)
 
 
-def _overrides(keys: Dict[str, Any], prefix: str = "") -> Iterator[str]:
+def _overrides(keys: dict[str, Any], prefix: str = "") -> Iterator[str]:
     for name, value in keys.items():
         if isinstance(value, dict):
             yield from _overrides(value, f"{prefix}{name}.")
@@ -301,7 +302,7 @@ def _toml(value: Any) -> str:
     raise ValueError(f"{value!r} is nothing that a scene can hold")
 
 
-def _call(words: List[str]) -> Tuple[int, str]:
+def _call(words: list[str]) -> tuple[int, str]:
     """The program's exit code, and the last line that it said; its warnings are warned of."""
     with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                           errors="replace", start_new_session=True) as process:
