@@ -45,7 +45,7 @@ def build(scratch):
          "-DVORTREE_PROGRAM=OFF", "-DVORTREE_PYTHON=ON", "-DVORTREE_PYTHON_DIR=.",
          f"-DPython_EXECUTABLE={sys.executable}", *shlex.split(os.environ.get("CMAKE_ARGS", "")))
     call("cmake", "--build", made, "--target", "vortree_python", "--parallel")
-    call("cmake", "--install", made, "--component", "python", "--strip", "--prefix", stage)
+    call("cmake", "--install", made, "--component", "python", "--prefix", stage)
     return stage
 
 

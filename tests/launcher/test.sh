@@ -141,6 +141,14 @@ call "$project" ./vortree python
 expect code $code 0
 expect steps "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"again -S *-DVORTREE_PYTHON=ON"$'\n'"ninja vortree_python"$'\n'"ninja vortree_python"
 
+claim "once the Python package was asked for it is built with the program"
+apt $packages pybind11-dev python3-dev python3-numpy python3-scipy python3-pytest; builders
+call "$project" ./vortree cases
+echo "VORTREE_PYTHON:STRING=ON" >>"$project/build/CMakeCache.txt"
+tool ninja 'echo "ninja ${*:5}" >>"$project/steps"'
+call "$project" ./vortree cases
+expect steps "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"ninja vortree_python vortree"
+
 claim "python with words calls Python with them, which finds the package"
 apt $packages pybind11-dev python3-dev python3-numpy python3-scipy python3-pytest; builders
 mkdir -p "$project/build/python/vortree"

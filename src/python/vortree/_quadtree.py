@@ -35,7 +35,7 @@ class Quadtree:
     --------
     >>> import numpy as np, vortree
     >>> tree = vortree.Quadtree([0, 1, 1, 1], [0, 0, 1, 0.9], capacity=1)
-    >>> tree.cells[["level", "i", "j", "first", "last"]][0]
+    >>> tree.cells[["level", "i", "j", "first", "last"]][0].item()
     (0, 0, 0, 0, 4)
     >>> tree == vortree.Quadtree([0, 1, 1, 1], [0, 0, 1, 0.9], capacity=1, builder="forward")
     True
