@@ -4,9 +4,8 @@
 
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <utility>
-
-#include "tree/base/buffer.hpp"
 
 namespace vortree::python {
 
@@ -24,17 +23,16 @@ using NumpyReals = NumpyColumn<double>;
   return {column.mutable_data(), static_cast<std::size_t>(column.size())};
 }
 
-/// An array that keeps a buffer of the library, without a copy.
-template <class T>
-[[nodiscard]] pybind11::array_t<T> owning(tree::Buffer<T>&& buffer) {
-  auto kept = std::make_unique<tree::Buffer<T>>(std::move(buffer));
+/// An array that keeps a buffer or a vector of the library, without a copy.
+template <class Row>
+requires(!std::is_lvalue_reference_v<Row>) [[nodiscard]] auto owning(Row&& row) {
+  auto kept = std::make_unique<Row>(std::move(row));
   const auto size = static_cast<pybind11::ssize_t>(kept->size());
-  T* const data = kept->data();
-  const pybind11::capsule owner(kept.get(), [](void* gone) {
-    const std::unique_ptr<tree::Buffer<T>> last(static_cast<tree::Buffer<T>*>(gone));
-  });
+  auto* const data = kept->data();
+  const pybind11::capsule owner(
+      kept.get(), [](void* gone) { const std::unique_ptr<Row> last(static_cast<Row*>(gone)); });
   (void)kept.release();
-  return pybind11::array_t<T>(size, data, owner);
+  return pybind11::array_t<std::remove_pointer_t<decltype(data)>>(size, data, owner);
 }
 
 /// A read-only array of what another object of Python holds, and keeps alive.

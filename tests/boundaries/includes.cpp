@@ -57,6 +57,9 @@ const std::map<std::string, Permit>& permits() {
         {anything}}},
       {"app", {{"app", "app/commands", "app/loop", "io", "fmm", "tree", "base"}, {anything}}},
       {"python", {{"python", "fmm", "tree", "tree/base"}, {"pybind11/", "unistd.h"}}},
+      {"python/simulation",
+       {{"python", "python/simulation", "app/methods", "io", "flow", "base", "tree"},
+        {"pybind11/"}}},
       {"tests", {{anything}, {anything}}},
       {"cases", {{anything}, {anything}}}};
   return permits;

@@ -4,13 +4,13 @@ from pathlib import Path
 
 import pytest
 import vortree
-from vortree import _arrays, _core, _neighbors, _plan, _quadtree, _runs
+from vortree import _arrays, _core, _flow, _neighbors, _plan, _quadtree, _runs, _simulation
 
 FLAGS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
 ROOT = Path(__file__).resolve().parents[2]
 
 
-@pytest.mark.parametrize("module", [_arrays, _neighbors, _plan, _quadtree, _runs])
+@pytest.mark.parametrize("module", [_arrays, _neighbors, _plan, _quadtree, _runs, _simulation])
 def test_examples_of_docstrings_run(module):
     found = doctest.testmod(module, optionflags=FLAGS)
     assert found.attempted > 0 and found.failed == 0
@@ -33,11 +33,16 @@ def test_what_is_public_has_a_docstring():
                     assert inspect.getdoc(part) or method == "rule", f"{name}.{method}"
 
 
-def test_the_stub_names_what_the_compiled_module_has():
+def public(kind):
+    return {part for part in vars(kind) if not part.startswith("_")}
+
+
+@pytest.mark.parametrize("module", [_core, _flow])
+def test_the_stub_names_what_the_compiled_module_has(module):
+    name = module.__name__.rsplit(".", 1)[1] + ".pyi"
     stub = {}
-    exec(compile((Path(vortree.__file__).parent / "_core.pyi").read_text(), "_core.pyi", "exec"), stub)
-    for name in ("Neighbors", "Plan", "Quadtree"):
-        def public(kind):
-            return {part for part in vars(kind) if not part.startswith("_")}
-        assert public(stub[name]) == public(getattr(_core, name))
-    assert stub["threads"] and _core.threads() > 0
+    exec(compile((Path(vortree.__file__).parent / name).read_text(), name, "exec"), stub)
+    classes = [thing for thing in vars(module) if inspect.isclass(getattr(module, thing))]
+    assert classes
+    for kind in classes:
+        assert public(stub[kind]) == public(getattr(module, kind))

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import vortree
 from clouds import blobs
-from vortree._runs import _find_program
+from vortree._runs import find_program
 
 PI = np.pi
 
@@ -38,7 +38,7 @@ def by_program(command, folder, columns, *words, **targets):
         with h5py.File(folder / "at.h5", "w") as file:
             file["x"], file["y"] = targets["x"], targets["y"]
         words += ["--targets", folder / "at.h5"]
-    subprocess.run([_find_program(), command, folder / "in.h5", "--out", folder / "out.h5", *words],
+    subprocess.run([find_program(), command, folder / "in.h5", "--out", folder / "out.h5", *words],
                    check=True, capture_output=True)
     with h5py.File(folder / "out.h5") as file:
         return {name: part[()] for name, part in file.items()}

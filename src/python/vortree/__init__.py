@@ -4,6 +4,7 @@
 - Neighbors: who is near whom, for particles of many sizes
 - Quadtree: the tree under both
 - run, read: a flow by the program, and the folder that it leaves
+- Simulation: a flow in memory, step by step
 """
 
 import os as _os
@@ -20,6 +21,7 @@ from ._neighbors import Neighbors  # noqa: E402
 from ._plan import Plan, velocity  # noqa: E402
 from ._quadtree import Quadtree  # noqa: E402
 from ._runs import Run, read, run  # noqa: E402
+from ._simulation import Simulation  # noqa: E402
 
 __version__: str = _core.version
-__all__ = ["Neighbors", "Plan", "Quadtree", "Run", "read", "run", "velocity"]
+__all__ = ["Neighbors", "Plan", "Quadtree", "Run", "Simulation", "read", "run", "velocity"]

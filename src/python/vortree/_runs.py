@@ -70,7 +70,7 @@ def run(scene: _Path, *, out: _Path | None = None, resume: bool = False,
     >>> folder.cleanup()
     """
     folder = Path(out) if out is not None else Path("runs") / Path(scene).stem
-    words = [os.fspath(program or _find_program()), "run", os.fspath(scene), *_overrides(keys)]
+    words = [os.fspath(program or find_program()), "run", os.fspath(scene), *overrides(keys)]
     words += ["--out", os.fspath(folder)]
     words += ["--resume"] * bool(resume) + ["--overwrite"] * bool(overwrite)
     words += ["--threads", str(threads)] if threads is not None else []
@@ -158,7 +158,7 @@ class Run:
         return f"Run({os.fspath(self.folder)!r})"
 
 
-class _Columns:
+class Columns:
     """Arrays by name: values["x"] or values.x."""
 
     def __init__(self, time: float, columns: dict[str, NDArray[Any]]) -> None:
@@ -181,11 +181,11 @@ class _Columns:
         return f"{type(self).__name__} at t = {self.time:g}: {', '.join(self.columns)}"
 
 
-class Field(_Columns):
+class Field(Columns):
     """A picture: x, y along the grid, and u, v, omega, psi of the shape (y.size, x.size)."""
 
 
-class Frame(_Columns):
+class Frame(Columns):
     """Blobs or particles at one time: x, y, u, v, gamma, ..., one value each.
 
     step    how many steps were made
@@ -257,7 +257,7 @@ def _read_table(path: Path) -> dict[str, NDArray[Any]]:
     return dict(zip(names, np.array(rows).reshape(-1, len(names)).T.copy()))
 
 
-def _find_program() -> Path:
+def find_program() -> Path:
     """Beside a build folder's python/vortree, or below the prefix of an installation."""
     here = Path(__file__).absolute().parent
     chosen = os.environ.get("VORTREE_PROGRAM")
@@ -273,10 +273,10 @@ def _find_program() -> Path:
     return Path(found)
 
 
-def _overrides(keys: dict[str, Any], prefix: str = "") -> Iterator[str]:
+def overrides(keys: dict[str, Any], prefix: str = "") -> Iterator[str]:
     for name, value in keys.items():
         if isinstance(value, dict):
-            yield from _overrides(value, f"{prefix}{name}.")
+            yield from overrides(value, f"{prefix}{name}.")
         else:
             yield f"{prefix}{name}={_toml(value)}"
 
