@@ -1,7 +1,8 @@
 """What pip asks of a project (PEP 517): a wheel, made by the project's own CMake.
 
-For the interpreter that calls, with the compiler, CMake and pybind11 that are there. The environment's
-CMAKE_ARGS are further words for CMake, as -DVORTREE_NATIVE=OFF for another machine than this one.
+For the interpreter that calls, with the compiler, CMake and pybind11 that are there. The
+environment's CMAKE_ARGS are further words for CMake, as -DVORTREE_NATIVE=OFF for another machine
+than this one.
 """
 
 import base64

@@ -2,8 +2,8 @@
 
     taskset -c 0 ./vortree python tests/python/measure.py
 
-One thread. Both searches by turns, from arrays to the answer; the best of some runs, and the median of the
-ratios of neighboring ones.
+One thread. Both searches by turns, from arrays to the answer; the best of some runs, and the
+median of the ratios of neighboring ones.
 """
 
 import statistics
@@ -33,6 +33,10 @@ def by_turns(ours, theirs):
     ratio = statistics.median(b / a for a, b in pairs)
     best = [1e3 * min(times) for times in zip(*pairs)]
     return f"| {best[0]:.0f} | {best[1]:.0f} | {ratio:.1f} |"
+
+
+def matrix_of(tree, reach):
+    return tree.sparse_distance_matrix(tree, reach, output_type="coo_matrix")
 
 
 def calls():
@@ -71,8 +75,7 @@ def searches(n=100_000):
             print("  query_pairs, set", by_turns(
                 lambda: near().query_pairs(), lambda: tree().query_pairs(reach)))
             print("  sparse_distance_matrix", by_turns(
-                lambda: near().sparse_distance_matrix(),
-                lambda: (lambda t: t.sparse_distance_matrix(t, reach, output_type="coo_matrix"))(tree())))
+                lambda: near().sparse_distance_matrix(), lambda: matrix_of(tree(), reach)))
             print("  query_ball_point, lists", by_turns(
                 lambda: near().query_ball_point(y, x, reach),
                 lambda: tree().query_ball_point(rows[:, ::-1], reach)))

@@ -2,7 +2,8 @@
 
     PYTHONPATH=build/python VORTREE_PROGRAM=build/bin/vortree tests/python/run.py [words for pytest]
 
-Without numpy, scipy, h5py or pytest there is nothing to run it by: exit code 77, a test that is skipped.
+Without numpy, scipy, h5py or pytest there is nothing to run it by: exit code 77, a test that is
+skipped.
 """
 
 import sys

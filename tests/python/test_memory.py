@@ -78,7 +78,8 @@ def resident():
 
 def test_ten_thousand_calls_leave_nothing_behind():
     x, y, gamma, sigma = blobs(300, 4)
-    plan, near = vortree.Plan(x, y, gamma, sigma, threads=1), vortree.Neighbors(x, y, 0.1, threads=1)
+    plan = vortree.Plan(x, y, gamma, sigma, threads=1)
+    near = vortree.Neighbors(x, y, 0.1, threads=1)
 
     def call(times):
         for k in range(times):
@@ -166,7 +167,7 @@ def norm_of(k):
 def test_a_forked_process_sums_by_one_thread_and_does_not_wait_for_those_it_has_not():
     alone = [norm_of(k) for k in range(3)]
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # later Pythons doubt that it can be done
+        warnings.simplefilter("ignore", DeprecationWarning)  # later Pythons doubt it
         with multiprocessing.get_context("fork").Pool(2) as others:
             assert others.map_async(norm_of, range(3)).get(timeout=100) == alone
 

@@ -50,7 +50,7 @@ def test_of_many_reaches_they_are_those_of_the_rule(rule, kind):
     asked = RULES[rule](reach[:, None], reach)
     truth = (r < asked) & ~np.eye(300, dtype=bool)
     # A distance next to the reach may round to either side here.
-    assert not (abs(r - asked) < 1e-15)[~np.eye(300, dtype=bool)].any() or kind == "duplicates"
+    assert not (abs(r - asked) < 1e-15)[~np.eye(300, dtype=bool)].any()
     near = vortree.Neighbors(x, y, reach, rule=rule)
     indptr, indices, distance = near.rows(distances=True)
     found = scipy.sparse.csr_matrix((np.ones(indices.size), indices, indptr), shape=(300, 300))

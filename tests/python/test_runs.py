@@ -105,7 +105,8 @@ def test_a_folder_without_a_run_and_a_program_that_is_not_there_are_named(tmp_pa
 def test_values_are_written_as_toml():
     import tomllib
 
-    values = {"a": 1, "b": 0.1, "c": True, "d": "x, \"y\" ü", "e": [1.5, "z"], "f": [{"g": [[1, 2]]}],
+    values = {"a": 1, "b": 0.1, "c": True, "d": "x, \"y\" ü", "e": [1.5, "z"],
+              "f": [{"g": [[1, 2]]}],
               "h": np.float64(0.3), "i": np.arange(3), "j": 1e-300, "k": 2**60}
     text = "\n".join(f"{name} = {_runs._toml(value)}" for name, value in values.items())
     read = tomllib.loads(text)

@@ -23,7 +23,8 @@ def test_a_wheel_lists_what_it_holds_and_tells_what_it_needs(tmp_path):
         assert [line[0] for line in record] == names and "vortree/_core.so" in names
         for name, digest, size in record[:-1]:
             content = wheel.read(name)
-            assert digest == "sha256=" + wheel_by_cmake.digest(content) and int(size) == len(content)
+            assert digest == "sha256=" + wheel_by_cmake.digest(content)
+            assert int(size) == len(content)
         assert wheel.getinfo("vortree/_core.so").external_attr >> 16 == 0o755
     assert (told["Name"], told["Version"]) == ("vortree", vortree.__version__)
     assert "numpy" in told.get_all("Requires-Dist") and "## Velocities" in told.get_payload()
