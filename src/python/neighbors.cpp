@@ -4,12 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/free_memory.hpp"
 #include "python/bind.hpp"
 #include "python/columns.hpp"
 #include "python/unlocked.hpp"
@@ -42,6 +44,14 @@ double distance_of(double dx, double dy) {
   const double square = dx * dx + dy * dy;
   if (square >= tree::least_square && square <= tree::largest_square) return std::sqrt(square);
   return std::hypot(dx, dy);
+}
+
+/// How many pairs of so many bytes the free memory holds, which is asked only if all of all could
+/// be many: who takes more than there is is killed without a word.
+std::int64_t room_for_pairs(std::size_t rows, std::size_t points, std::size_t bytes_a_pair) {
+  constexpr std::size_t few = std::size_t{1} << 24;
+  if (points == 0 || rows < few / points) return std::numeric_limits<std::int64_t>::max();
+  return static_cast<std::int64_t>(free_memory() / bytes_a_pair);
 }
 
 tree::Buffer<double> distances_of(const PairList& rows, const PlacesByNumber& at) {
@@ -91,7 +101,9 @@ class SharedSearch {
   py::tuple rows(std::string_view rule, bool half, bool distances, int threads) {
     PairList rows;
     tree::Buffer<double> distance;
-    list(rule, half ? tree::Listing::once : tree::Listing::both_ways, threads, [&](PairList found) {
+    const auto listing = half ? tree::Listing::once : tree::Listing::both_ways;
+    const std::size_t bytes = bytes_listed + (distances ? sizeof(double) : 0);
+    list(rule, listing, bytes, threads, [&](PairList found) {
       if (distances) distance = distances_of(found, PlacesByNumber(search_.placed()));
       rows = std::move(found);
     });
@@ -101,7 +113,7 @@ class SharedSearch {
 
   py::array_t<std::int64_t> pairs(std::string_view rule, int threads) {
     tree::Buffer<std::int64_t> pairs;
-    list(rule, tree::Listing::once, threads,
+    list(rule, tree::Listing::once, bytes_listed + 2 * sizeof(std::int64_t), threads,
          [&](const PairList& found) { pairs = pairs_of(found); });
     return owning(std::move(pairs));
   }
@@ -116,6 +128,7 @@ class SharedSearch {
         const PlacesByNumber points(search_.placed());
         balls_.emplace(tree::Points{points.x, points.y});
       }
+      rows.most = room_for_pairs(places.size(), size(), bytes_found);
       balls_->list(places, radii, rows);
     });
     return py::make_tuple(owning(std::move(rows.start)), owning(std::move(rows.index)));
@@ -126,15 +139,21 @@ class SharedSearch {
 
  private:
   template <class Use>
-  void list(std::string_view word, tree::Listing listing, int threads, const Use& use) {
+  void list(std::string_view word, tree::Listing listing, std::size_t bytes_a_pair, int threads,
+            const Use& use) {
     const auto rule = chosen<tree::PairRule>("rule", word, rule_words);
     unlocked(threads, [&] {
       const std::lock_guard alone(mutex_);
       PairList found;
+      found.most = room_for_pairs(size(), size(), bytes_a_pair);
       search_.list(rule, listing, found);
       use(std::move(found));
     });
   }
+
+  // That a pair takes while it is sought and stored: its number, an eighth in hand and some bits;
+  // of balls twice, and what a vector takes ahead.
+  static constexpr std::size_t bytes_listed = 5, bytes_found = 12;
 
   std::mutex mutex_;
   tree::Neighbors search_;

@@ -56,7 +56,7 @@ const std::map<std::string, Permit>& permits() {
          "vortex/choice/warnings_of_means.hpp"},
         {anything}}},
       {"app", {{"app", "app/commands", "app/loop", "io", "fmm", "tree", "base"}, {anything}}},
-      {"python", {{"python", "fmm", "tree", "tree/base"}, {"pybind11/", "unistd.h"}}},
+      {"python", {{"python", "fmm", "tree", "tree/base", "base/free_memory.hpp"}, {"pybind11/", "unistd.h"}}},
       {"python/simulation",
        {{"python", "python/simulation", "app/methods", "io", "flow", "base", "tree"},
         {"pybind11/"}}},

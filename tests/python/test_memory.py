@@ -2,6 +2,8 @@
 
 import gc
 import multiprocessing
+import re
+import subprocess
 import sys
 import threading
 import tracemalloc
@@ -170,6 +172,25 @@ def test_a_forked_process_sums_by_one_thread_and_does_not_wait_for_those_it_has_
         warnings.simplefilter("ignore", DeprecationWarning)  # later Pythons doubt it
         with multiprocessing.get_context("fork").Pool(2) as others:
             assert others.map_async(norm_of, range(3)).get(timeout=100) == alone
+
+
+def test_more_pairs_than_memory_holds_are_refused_before_they_are_listed():
+    script = """
+import resource, numpy as np, vortree
+resource.setrlimit(resource.RLIMIT_AS, (2 << 30, 2 << 30))
+near = vortree.Neighbors(np.zeros(24000), np.zeros(24000), 1.0)
+for ask in (near.rows, near.query_pairs, near.sparse_distance_matrix,
+            lambda: near.query_ball_point(np.zeros(24000), np.zeros(24000), 1)):
+    try:
+        ask()
+    except MemoryError as error:
+        print(error)
+"""
+    said = subprocess.run([sys.executable, "-B", "-c", script], capture_output=True, text=True)
+    lines = said.stdout.splitlines()
+    assert said.returncode == 0 and len(lines) == 4, said.stderr
+    assert all(re.fullmatch(r"neighbors: \d+ pairs and more; at most \d+ may be listed", line)
+               for line in lines)
 
 
 def test_one_call_does_not_set_the_threads_of_the_next():

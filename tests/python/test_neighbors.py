@@ -178,6 +178,7 @@ def test_wrong_input_is_refused_in_one_sentence(given, said):
         near = vortree.Neighbors([0, 1], [0, 0], 2)
         with pytest.raises(ValueError, match=said):
             near.update(**right)
+        assert near.query_pairs() == {(0, 1)}
 
 
 @pytest.mark.parametrize("ask, given, said", [

@@ -39,6 +39,8 @@ class Neighbors:
     ValueError
         For lengths that differ, coordinates that are not finite, a reach that is negative or not
         finite, 2^31 particles or more.
+    MemoryError
+        When asked, if there are more pairs than the free memory holds, with both numbers.
 
     Notes
     -----
