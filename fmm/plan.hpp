@@ -102,6 +102,8 @@ class Plan {
   [[nodiscard]] Work work() const { return sums_->work(); }
   /// Memory held.
   [[nodiscard]] std::size_t bytes() const { return sums_->bytes(); }
+  /// The blobs, in their input order; cores as they are summed, to the last bits of their squares.
+  [[nodiscard]] SourceColumns sources() const { return sums_->sources(); }
 
  private:
   template <class Sum>

@@ -56,6 +56,10 @@ const std::map<std::string, Permit>& permits() {
          "vortex/choice/warnings_of_means.hpp"},
         {anything}}},
       {"app", {{"app", "app/commands", "app/loop", "io", "fmm", "tree", "base"}, {anything}}},
+      {"python", {{"python", "fmm", "tree", "tree/base", "base/free_memory.hpp"}, {"pybind11/", "unistd.h"}}},
+      {"python/simulation",
+       {{"python", "python/simulation", "app/methods", "io", "flow", "base", "tree"},
+        {"pybind11/"}}},
       {"tests", {{anything}, {anything}}},
       {"cases", {{anything}, {anything}}}};
   return permits;

@@ -121,6 +121,42 @@ expect code $code 8
 expect out "$out" "ctest --test-dir $project/build --output-on-failure -R tree"
 expect steps "$(steps)" "configured"$'\n'"ninja all"
 
+claim "python installs and builds what its package needs, and says how to import it"
+apt $packages; builders
+if ((EUID != 0)); then tool sudo 'exec "$@"'; fi
+call "$project" ./vortree python
+expect code $code 0
+expect out "$out" "PYTHONPATH=\"$project/build/python\" /usr/bin/python3 -c \"import vortree\""
+expect steps "$(steps)" "noninteractive * update
+noninteractive * install -y --no-install-recommends pybind11-dev python3-dev python3-numpy python3-scipy python3-pytest
+configured
+ninja vortree_python"
+
+claim "a folder that was built before is configured once more for the Python package, and only once"
+apt $packages pybind11-dev python3-dev python3-numpy python3-scipy python3-pytest; builders
+call "$project" ./vortree cases
+tool cmake 'echo "again $*" >>"$project/steps"; echo "VORTREE_PYTHON:STRING=ON" >>"$project/build/CMakeCache.txt"'
+call "$project" ./vortree python
+call "$project" ./vortree python
+expect code $code 0
+expect steps "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"again -S *-DVORTREE_PYTHON=ON"$'\n'"ninja vortree_python"$'\n'"ninja vortree_python"
+
+claim "once the Python package was asked for it is built with the program"
+apt $packages pybind11-dev python3-dev python3-numpy python3-scipy python3-pytest; builders
+call "$project" ./vortree cases
+echo "VORTREE_PYTHON:STRING=ON" >>"$project/build/CMakeCache.txt"
+tool ninja 'echo "ninja ${*:5}" >>"$project/steps"'
+call "$project" ./vortree cases
+expect steps "$(steps)" "configured"$'\n'"ninja vortree"$'\n'"ninja vortree_python vortree"
+
+claim "python with words calls Python with them, which finds the package"
+apt $packages pybind11-dev python3-dev python3-numpy python3-scipy python3-pytest; builders
+mkdir -p "$project/build/python/vortree"
+echo 'built = __file__' >"$project/build/python/vortree/__init__.py"
+call "$project" ./vortree python -c 'import vortree, sys; print(vortree.built, sys.argv[1:]); sys.exit(5)' "a b"
+expect code $code 5
+expect out "$out" "$project/build/python/vortree/__init__.py \['a b'\]"
+
 claim "a build that fails is shown, and nothing runs"
 apt $packages; builders
 tool ninja 'echo "[1/2] Building CXX object a.o"; echo "a.cpp:1: error: no"; exit 1'
