@@ -349,6 +349,7 @@ TOLD = {
     "pitching_foil": ("routes_max", "lift_routes_max"),
     "plunging_naca0012": ("theodorsen_max", "lift_routes_max"),
     "side_by_side": ("lift_phases_max_deg", "mean_drag_each_max", "routes_max"),
+    "side_by_side_re62": ("strouhal_max", "lift_phases_max_deg", "routes_max"),
     "tandem": ("strouhal_max", "mean_drag_each_max", "routes_max"),
     "lamb_oseen": ("vorticity_max", "velocity_max"),
     "kirchhoff_ellipse": ("rotation_max", "energy_max"),
