@@ -27,7 +27,7 @@ struct OutlinePoint {
 };
 
 /// A closed curve without double points, or several apart from each other
-/// (body/outlines/group.hpp): all that the wall knows of bodies.
+/// (body/outlines/shape_group.hpp): all that the wall knows of bodies.
 class Shape {
  public:
   virtual ~Shape() = default;

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "body/extent.hpp"
-#include "body/outlines/group.hpp"
+#include "body/outlines/shape_group.hpp"
 #include "body/shapes/shapes.hpp"
 #include "flow/steps.hpp"
 
@@ -137,7 +137,7 @@ void refuse_body(const Case& of, std::size_t number, const body::BodySettings& b
 void refuse_gaps(const body::Bodies& bodies, double t) {
   const auto placed = [&](std::size_t k) {
     const body::Kinematics own = bodies[k].own.at(t);
-    return body::Placed(bodies[k].shape, bodies[k].centre + own.place, own.angle);
+    return body::PlacedShape(bodies[k].shape, bodies[k].centre + own.place, own.angle);
   };
   const std::string when = t > 0 ? fmt::format(" at t = {:.4g}", t) : "";
   for (std::size_t k = 1; k < bodies.size(); ++k)

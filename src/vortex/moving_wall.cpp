@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "body/outlines/group.hpp"
+#include "body/outlines/shape_group.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -46,9 +46,10 @@ std::shared_ptr<const Standing> MovingWall::made(double time) const {
     const Vec2 at = bodies_[k].centre + own.place;
     angles.push_back(moves(own_[k]) ? own.angle : 0);
     const bool plain = at == Vec2{} && angles.back() == 0;
-    placed.push_back({plain ? bodies_[k].shape
-                            : std::make_shared<body::Placed>(bodies_[k].shape, at, angles.back()),
-                      bodies_[k].panels, at});
+    placed.push_back(
+        {plain ? bodies_[k].shape
+               : std::make_shared<body::PlacedShape>(bodies_[k].shape, at, angles.back()),
+         bodies_[k].panels, at});
   }
   auto standing = std::make_shared<Standing>(Standing{Wall(std::move(placed)), {}});
   for (std::size_t k = 0; k < alone_.size(); ++k)

@@ -370,6 +370,7 @@ TOLD = {
     "plunging_naca0012_re252": ("mean_drag_max", "lift_routes_max", "routes_max"),
     "plunging_naca0012_k8": ("mean_drag_max", "lift_routes_max", "routes_max"),
     "side_by_side": ("lift_phases_max_deg", "mean_drag_each_max", "routes_max"),
+    "side_by_side_re62": ("strouhal_max", "lift_phases_max_deg", "routes_max"),
     "tandem": ("strouhal_max", "mean_drag_each_max", "routes_max"),
     "passing_cylinders": ("routes_max", "lift_routes_max"),
     "lamb_oseen": ("vorticity_max", "velocity_max"),

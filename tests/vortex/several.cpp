@@ -4,7 +4,7 @@
 #include <numbers>
 #include <utility>
 
-#include "body/outlines/group.hpp"
+#include "body/outlines/shape_group.hpp"
 #include "body/shapes/circle.hpp"
 #include "body/shapes/ellipse.hpp"
 #include "flow/force_history.hpp"
@@ -98,7 +98,8 @@ WallBody ellipse(Vec2 centre) {
 
 /// Around bodies where they stand.
 Wall wall_of(std::vector<WallBody> bodies) {
-  for (WallBody& one : bodies) one.shape = std::make_shared<body::Placed>(one.shape, one.centre);
+  for (WallBody& one : bodies)
+    one.shape = std::make_shared<body::PlacedShape>(one.shape, one.centre);
   return Wall(std::move(bodies));
 }
 

@@ -8,7 +8,7 @@
 
 #include "base/free_memory.hpp"
 #include "body/extent.hpp"
-#include "body/outlines/group.hpp"
+#include "body/outlines/shape_group.hpp"
 #include "flow/initial/widths.hpp"
 #include "vortex/choice/cost.hpp"
 #include "vortex/choice/scales.hpp"

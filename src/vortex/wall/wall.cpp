@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/ordered_sum.hpp"
-#include "body/outlines/group.hpp"
+#include "body/outlines/shape_group.hpp"
 #include "fmm/plan.hpp"
 #include "vortex/wall/disc_multipole.hpp"
 #include "vortex/wall/panel_kernel.hpp"
@@ -41,7 +41,7 @@ std::shared_ptr<const body::Shape> together(const std::vector<WallBody>& bodies)
   if (bodies.size() == 1) return bodies.front().shape;
   std::vector<std::shared_ptr<const body::Shape>> shapes;
   for (const WallBody& one : bodies) shapes.push_back(one.shape);
-  return std::make_shared<body::Group>(std::move(shapes));
+  return std::make_shared<body::ShapeGroup>(std::move(shapes));
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ SpreadShares::SpreadShares(double d, double V) : reach_(reach_of(V)) {
 namespace {
 
 /// The stretch of a wall that is one closed curve.
-struct Curve {
+struct WallCurve {
   double arc, perimeter;
   bool holds(double at) const { return at >= arc && at < arc + perimeter; }
 };
@@ -59,7 +59,7 @@ struct Curve {
 /// The nodes that there may be along one of its curves.
 class WallNodes {
  public:
-  WallNodes(const WallLattice& lattice, const body::Shape& wall, const Curve& curve,
+  WallNodes(const WallLattice& lattice, const body::Shape& wall, const WallCurve& curve,
             std::int64_t rows, double strength)
       : columns_(
             std::max<std::int64_t>(least_columns, std::llround(curve.perimeter / lattice.step))),
@@ -208,7 +208,7 @@ std::int64_t rows_of(const WideAtWall& blob, const WallLattice& lattice) {
 namespace {
 
 void lay_along_curve(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
-                     const WallLattice& lattice, const body::Shape& wall, const Curve& curve) {
+                     const WallLattice& lattice, const body::Shape& wall, const WallCurve& curve) {
   if (blobs.empty()) return;
   double strength = 0;
   std::int64_t rows = 0;
@@ -233,7 +233,7 @@ void lay_along_wall(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
   std::vector<WideAtWall> own;
   double arc = 0;
   for (const double perimeter : perimeters) {
-    const Curve curve{arc, perimeter};
+    const WallCurve curve{arc, perimeter};
     own.clear();
     std::ranges::copy_if(blobs, std::back_inserter(own),
                          [&](const WideAtWall& blob) { return curve.holds(blob.nearest.arc); });

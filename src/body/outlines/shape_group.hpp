@@ -9,9 +9,9 @@
 namespace vortree::body {
 
 /// A shape somewhere in the plane, turned anticlockwise by `angle`, radians, about its own origin.
-class Placed final : public Shape {
+class PlacedShape final : public Shape {
  public:
-  Placed(std::shared_ptr<const Shape> shape, Vec2 at, double angle = 0)
+  PlacedShape(std::shared_ptr<const Shape> shape, Vec2 at, double angle = 0)
       : shape_(std::move(shape)), at_(at), turn_(angle), back_(-angle) {}
 
   double perimeter() const override { return shape_->perimeter(); }
@@ -30,9 +30,9 @@ class Placed final : public Shape {
 /// Several bodies, no two of which touch: the place that is nearest on any of them. Arcs of the
 /// first begin at 0, those of each other where the one before it ends.
 /// cost  of each member, unless its bound (Shape::beyond) says that it is too far
-class Group final : public Shape {
+class ShapeGroup final : public Shape {
  public:
-  explicit Group(std::vector<std::shared_ptr<const Shape>> members);
+  explicit ShapeGroup(std::vector<std::shared_ptr<const Shape>> members);
 
   double perimeter() const override { return first_arc_.back(); }
   std::vector<double> perimeters() const override;
@@ -49,6 +49,6 @@ class Group final : public Shape {
 /// The least distance of two outlines, which is 0 or less where they cross or one holds the other.
 /// error  1e-12 of the perimeters, if the places that are nearest are among the 512 of each
 ///        (Shape::trace), or beside them
-[[nodiscard]] double gap_between(const Placed& a, const Placed& b);
+[[nodiscard]] double gap_between(const PlacedShape& a, const PlacedShape& b);
 
 }  // namespace vortree::body

@@ -1,40 +1,40 @@
-#include "body/outlines/group.hpp"
+#include "body/outlines/shape_group.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace vortree::body {
 
-WallPoint Placed::nearest(Vec2 at) const {
+WallPoint PlacedShape::nearest(Vec2 at) const {
   WallPoint found = shape_->nearest(back_(at - at_));
   found.normal = turn_(found.normal);
   return found;
 }
 
-std::vector<OutlinePoint> Placed::trace() const {
+std::vector<OutlinePoint> PlacedShape::trace() const {
   std::vector<OutlinePoint> all = shape_->trace();
   for (OutlinePoint& one : all) one.at = at_ + turn_(one.at);
   return all;
 }
 
-Group::Group(std::vector<std::shared_ptr<const Shape>> members)
+ShapeGroup::ShapeGroup(std::vector<std::shared_ptr<const Shape>> members)
     : members_(std::move(members)), first_arc_{0} {
   for (const auto& one : members_) first_arc_.push_back(first_arc_.back() + one->perimeter());
 }
 
-std::vector<double> Group::perimeters() const {
+std::vector<double> ShapeGroup::perimeters() const {
   std::vector<double> all;
   for (const auto& one : members_) all.push_back(one->perimeter());
   return all;
 }
 
-Vec2 Group::point(double arc) const {
+Vec2 ShapeGroup::point(double arc) const {
   const auto after = std::upper_bound(first_arc_.begin() + 1, first_arc_.end() - 1, arc);
   const std::size_t k = after - first_arc_.begin() - 1;
   return members_[k]->point(arc - first_arc_[k]);
 }
 
-WallPoint Group::nearest(Vec2 at) const {
+WallPoint ShapeGroup::nearest(Vec2 at) const {
   WallPoint best{0, INFINITY, {}, 0};
   for (std::size_t k = 0; k < members_.size(); ++k) {
     if (k > 0 && (best.distance <= 0 || members_[k]->beyond(at, best.distance))) continue;
@@ -48,14 +48,14 @@ WallPoint Group::nearest(Vec2 at) const {
   return best;
 }
 
-double Group::distance(Vec2 at) const {
+double ShapeGroup::distance(Vec2 at) const {
   double least = INFINITY;
   for (const auto& one : members_)
     if (least == INFINITY || !one->beyond(at, least)) least = std::min(least, one->distance(at));
   return least;
 }
 
-bool Group::beyond(Vec2 at, double d) const {
+bool ShapeGroup::beyond(Vec2 at, double d) const {
   return std::ranges::all_of(members_, [&](const auto& one) { return one->beyond(at, d); });
 }
 
@@ -87,7 +87,7 @@ double least_from(const Shape& a, const Shape& b) {
 
 }  // namespace
 
-double gap_between(const Placed& a, const Placed& b) {
+double gap_between(const PlacedShape& a, const PlacedShape& b) {
   return std::min(least_from(a, b), least_from(b, a));
 }
 

@@ -1,4 +1,4 @@
-#include "body/outlines/group.hpp"
+#include "body/outlines/shape_group.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "vortex/flows.hpp"
 
 using namespace vortree;
-using body::Placed;
+using body::PlacedShape;
 
 namespace {
 
@@ -23,7 +23,7 @@ std::shared_ptr<const body::Shape> ellipse() {
 TEST_CASE("a shape that is placed elsewhere and turned is the shape, seen from there") {
   const auto shape = ellipse();
   const Vec2 at{3, -2};
-  const Placed placed(shape, at, 0.7);
+  const PlacedShape placed(shape, at, 0.7);
   const Turn turn(0.7);
   CHECK(placed.perimeter() == shape->perimeter());
   bench::Uniform uniform(3);
@@ -43,9 +43,9 @@ TEST_CASE("a shape that is placed elsewhere and turned is the shape, seen from t
 
 TEST_CASE("the nearest place of several bodies is the nearest of each") {
   const std::vector<std::shared_ptr<const body::Shape>> members{
-      body::circle({}, 0.5), std::make_shared<Placed>(ellipse(), Vec2{1.2, 0.1}, 0.4),
-      std::make_shared<Placed>(body::naca0012({}, 1, 0.005, 0.1), Vec2{-0.3, 1.1})};
-  const body::Group group(members);
+      body::circle({}, 0.5), std::make_shared<PlacedShape>(ellipse(), Vec2{1.2, 0.1}, 0.4),
+      std::make_shared<PlacedShape>(body::naca0012({}, 1, 0.005, 0.1), Vec2{-0.3, 1.1})};
+  const body::ShapeGroup group(members);
   double all = 0;
   for (const auto& one : members) all += one->perimeter();
   CHECK(group.perimeter() == all);
@@ -74,7 +74,7 @@ TEST_CASE("the nearest place of several bodies is the nearest of each") {
 TEST_CASE("beside where a body's arc begins, round-off carries no arc to another body") {
   const auto circle = std::shared_ptr<const body::Shape>(body::circle({}, 0.5));
   for (const double far : {16.0, 18.0, 60.0, 1000.0}) {
-    const body::Group group({circle, std::make_shared<Placed>(ellipse(), Vec2{0, -far})});
+    const body::ShapeGroup group({circle, std::make_shared<PlacedShape>(ellipse(), Vec2{0, -far})});
     const double begins = circle->perimeter(), ends = group.perimeter();
     const Vec2 at = group.point(begins);
     for (const double off : {-1e-3, -1e-12, 0.0, 1e-12, 1e-3})
