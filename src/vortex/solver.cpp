@@ -227,7 +227,7 @@ flow::Measures VortexSolver::measure() const {
   };
   flow::add_place(measures, flow.motion, time());
   for (std::size_t k = 0; k < flow.own.size(); ++k)
-    flow::add_place(measures, flow.own[k], time(), "_" + std::to_string(k + 1));
+    flow::add_place(measures, flow.own[k], time(), std::to_string(k + 1).insert(0, 1, '_'));
   return measures;
 }
 
