@@ -35,7 +35,7 @@ def rows_of(scene, folder):
         for what, found in summary["check"].items():
             if what != "passed" and found["reached"] is not None:
                 yield (scene, run.name.split("=")[1], what, found["asked"], found["reached"],
-                       summary["seconds"])
+                       summary["seconds"]["total"])
 
 
 def main():
