@@ -23,6 +23,7 @@
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
 #include "checks/checks.hpp"
+#include "flow/courses.hpp"
 #include "flow/paths/carried_tracers.hpp"
 #include "io/files.hpp"
 #include "io/frames/frames.hpp"
@@ -103,11 +104,14 @@ void Run::resume() {
         fmt::format("{}: the last frame is that of t = {:.9g}, beyond time.end = {:.9g}", file,
                     time(frame.step), scene_.time.end));
   try {
+    flow::hold_courses(scene_, frame.state);
     solver_->restore(frame.step, frame.columns, frame.state);
     rows_.restore(frame.state);
     tracers_.restore(frame.state);
     totals_.restore(frame.state);
     files_.resume(frame);
+  } catch (const Refused& other) {
+    throw io::InputError(fmt::format("{}: {}", file, other.what()));
   } catch (const std::out_of_range& missing) {
     throw io::InputError(
         fmt::format("{}: {}; another version of the program has written it", file, missing.what()));
@@ -176,6 +180,7 @@ void Run::save() {
   solver_->save(state);
   rows_.save(state);
   tracers_.save(state);
+  flow::save_courses(scene_, solver_->time(), state);
   totals_so_far().save(state);
   try {
     files_.frame(std::move(state));
