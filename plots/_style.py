@@ -340,6 +340,10 @@ def note(axes, text, x=0.985, y=0.94, **more):
     axes.text(x, y, text, transform=axes.transAxes, **{**style, **more})
 
 
+def printable(path):
+    return os.fsencode(path).decode(errors="backslashreplace")
+
+
 @contextmanager
 def replaced(path):
     """A name to write under. What is written becomes the file in the end, the old one or the new one
@@ -374,4 +378,4 @@ def main(name, draw):
     except Broken as error:
         sys.exit(str(error))
     save(made, run.folder / name)
-    print(os.fsencode(run.folder / name).decode(errors="backslashreplace"))
+    print(printable(run.folder / name))
