@@ -96,8 +96,8 @@ class Page:
                     handletextpad=0.5, labelspacing=0.25, fontsize=10)
 
     def _title(self, width):
-        text = self.figure.text(0.5, 1 - 0.24 / HEIGHT, self.run.scene.get("title", ""), ha="center",
-                                va="center", fontsize=12)
+        text = self.figure.text(0.5, 1 - 0.24 / HEIGHT, self.run.scene.get("title", ""),
+                                ha="center", va="center", fontsize=12)
         wide = text.get_window_extent().width / self.figure.dpi
         text.set_fontsize(12 * min(1, 0.96 * width / max(wide, 1e-9)))
 

@@ -18,11 +18,12 @@ FASTEST = 0.995  # so much of the plane has a speed with a colour of its own, or
 FAINT = 0.02  # of that vorticity: where there is less, all along, is no part of the movie
 LINES = 24  # of equal stream function in free space
 REACH = 5.0  # of a window that no one has asked for, in half the body's length
-STRONG = 0.98  # so many blobs have a vorticity with a colour of its own
+STRONG = 0.98  # so many blobs in the window have a vorticity with a colour of its own
 
 
 class Units:
-    """The body's radius and the stream's speed, from its centre; in free space those of the scene."""
+    """The body's radius and the stream's speed, from its centre; those of the scene in free space.
+    """
 
     def __init__(self, run):
         self.run, self.body = run, bool(run.bodies)
@@ -141,7 +142,7 @@ class Pressure(Plane):
         sample = [{name: field[name] for name in ("x", "y", "p", "fluid")}
                   for field in map(self.fluid, self.sample())]
         try:
-            end = rounded_end(sample, self.units.body)
+            end = np.median([rounded_end([field], self.units.body) for field in sample])
         except Nothing:
             raise Refused(f"{self.run.folder}: no pressure in the pictures") from None
         return look(max(field["p"].max() for field in sample), end)
@@ -225,10 +226,15 @@ class Blobs:
         self.points = 72 * axes.get_position().width * axes.figure.get_figwidth() / (high - low)
         return self.dots
 
+    def seen(self, field):
+        """The vorticities within the window."""
+        (left, right, low, high), x, y = self.window, field["x"], field["y"]
+        return field["omega"][(x > left) & (x < right) & (y > low) & (y < high)]
+
     def paint(self):
         few = np.linspace(0, len(self.times) - 1, LEAST).round().astype(int)
         ends = [np.quantile(omega, (1 - STRONG, STRONG)) for k in few
-                if (omega := self.field(k)["omega"]).size]
+                if (omega := self.seen(self.field(k))).size]
         least, most = np.median(ends or [(0, 0)], axis=0)
         if not 0 < max(-least, most) < np.inf:
             raise Refused(f"{self.run.folder}: no vorticity in the frames")

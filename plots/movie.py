@@ -1,7 +1,7 @@
 """An animation of a run: the flow, the bodies where they are, and the drag with a mark that moves.
 
-Says on standard error how many pictures it has drawn, on standard output what it has made; leaves
-with 2 if the folder or the machine lacks what it takes.
+Says on standard error how many pictures it has drawn, and in the end what it has made; leaves with
+2 if the folder or the machine lacks what it takes.
 """
 
 import argparse
@@ -42,9 +42,13 @@ def make(job):
         write(ffmpeg, part, page.size, job.fps, drawn(page, count))
         rate = count / (time.monotonic() - begin)
         write_small(ffmpeg, little_part, suffix, part, count / job.fps)
-    print(f"{printable(job.out)}: {count} pictures of {page.size[0]} x {page.size[1]}, {count / job.fps:.1f} s, "
-          f"{job.out.stat().st_size / 1e6:.2f} MB; {printable(little.name)} {little.stat().st_size / 1e6:.2f} "
-          f"MB; {rate:.0f} pictures drawn a second")
+    print(f"{printable(job.out)}: {count} pictures of {page.size[0]} x {page.size[1]}, "
+          f"{count / job.fps:.1f} s, {size(job.out)}; {printable(little.name)} {size(little)}; "
+          f"{rate:.0f} pictures drawn a second", file=sys.stderr)
+
+
+def size(path):
+    return f"{path.stat().st_size / 1e6:.2f} MB"
 
 
 def refuse(words):

@@ -109,7 +109,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("cases")) tell("{}", list_cases());
   if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors));
   if (program.got_subcommand("lyapunov")) tell("{}", lyapunov(words.lyapunov));
-  if (program.got_subcommand("movie")) movie(words.movie);
+  if (program.got_subcommand("movie")) tell("{}\n", movie(words.movie));
   if (program.got_subcommand("plot")) plot_folder(words.folder);
   return arrived();
 }

@@ -125,12 +125,13 @@ bool plot(const fs::path& folder, std::string_view kind) {
   return true;
 }
 
-void run_script(const fs::path& script, std::vector<std::string> words, const Heard& heard) {
+std::string run_script(const fs::path& script, std::vector<std::string> words, const Heard& heard) {
   words.insert(words.begin(), script.string());
   const auto [status, errors] = run_python(std::move(words), heard);
   if (WIFEXITED(status) && WEXITSTATUS(status) == refused_input)
     throw io::InputError(last_line(errors));
   if (status != 0) throw std::runtime_error(last_line(errors));
+  return last_line(errors);
 }
 
 }  // namespace vortree::app

@@ -24,11 +24,13 @@ bool plot(const std::filesystem::path& folder, std::string_view kind = {});
 /// Takes each line that a script writes on standard error, while it runs.
 using Heard = std::function<void(std::string_view line)>;
 
-/// Runs one script with words of its own. Its last line on standard error says why it fails.
+/// Runs one script with words of its own. Its last line on standard error says what it has made, or
+/// why it fails.
 ///
-/// throws  io::InputError with that line if it leaves with 2; std::runtime_error if with another
+/// returns that line
+/// throws   io::InputError with that line if it leaves with 2; std::runtime_error if with another
 ///         code than 0
-void run_script(const std::filesystem::path& script, std::vector<std::string> words,
-                const Heard& heard);
+std::string run_script(const std::filesystem::path& script, std::vector<std::string> words,
+                       const Heard& heard);
 
 }  // namespace vortree::app

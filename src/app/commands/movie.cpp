@@ -36,14 +36,17 @@ std::vector<std::string> words_of(const MovieJob& job) {
 
 }  // namespace
 
-void movie(MovieJob job) {
+std::string movie(MovieJob job) {
   require_frames(job.folder);
   if (job.out.empty()) job.out = job.folder / "movie.mp4";
   require_place(job.out);
   ProgressLine progress;
-  run_script(movie_script(), words_of(job), [&progress](std::string_view line) {
-    if (line.starts_with("picture ")) progress.show_line(line);
-  });
+  const std::string made =
+      run_script(movie_script(), words_of(job), [&progress](std::string_view line) {
+        if (line.starts_with("picture ")) progress.show_line(line);
+      });
+  progress.clear();
+  return made;
 }
 
 }  // namespace vortree::app

@@ -19,11 +19,12 @@ struct MovieJob {
 /// A video (H.264, yuv420p) of the pictures that a run has left, in one scale of colours, with the
 /// bodies where they are and their drag and lift in time; beside it a small animation of five
 /// seconds, .webp, or .gif if ffmpeg cannot write that. Either takes the place of an older one when
-/// it is complete. Shows progress on standard error, says on standard output what was made.
+/// it is complete. Shows progress on standard error.
 ///
-/// throws  io::InputError: no folder, no run, fewer than ten pictures (frames), none of what is to
+/// returns  what was made, in a line
+/// throws   io::InputError: no folder, no run, fewer than ten pictures (frames), none of what is to
 ///         be shown, no ffmpeg, a video by another name than FILE.mp4; std::runtime_error if it
 ///         cannot be written
-void movie(MovieJob job);
+std::string movie(MovieJob job);
 
 }  // namespace vortree::app

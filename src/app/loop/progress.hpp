@@ -24,9 +24,9 @@ struct Progress {
 /// so far, extended
 std::string progress_line(const Progress& progress, double elapsed);
 
-/// Shows progress on standard error: on a terminal a line that changes, five times a second at most;
-/// elsewhere, as in the log of a cluster, a line of its own every half minute, with the time of day
-/// at which a run will end as far as it can be told.
+/// Shows progress on standard error: on a terminal a line that changes, five times a second at
+/// most; elsewhere, as in the log of a cluster, a line of its own every half minute, with the time
+/// of day at which a run will end as far as it can be told.
 class ProgressLine {
  public:
   using Clock = std::chrono::steady_clock;
