@@ -51,6 +51,9 @@ class Plane:
             raise Refused(f"{run.folder}: {count(len(self.pictures), 'picture')} of the flow "
                           f"there, and {LEAST} are the least of a movie; a run with "
                           "output.fields_every, output.window and output.field_spacing leaves them")
+        if len({self.fields.grids[k] for k in self.pictures}) > 1:
+            raise Refused(f"{run.folder}: its pictures are on several grids, as of a run that was "
+                          "resumed with another output.window; a movie has one")
         self.times = [self.fields.times[k] for k in self.pictures]
         self.window = self._window()
         self.round = self.units.body and all(is_circle(run, k) for k in run.numbers)

@@ -272,6 +272,8 @@ class Run:
 class Fields(Sequence):
     """The grids of fields.h5 by ascending time, each read when it is asked for: dictionaries of
     time, x, y, u, v, omega and, as far as they are told, the stream function psi and the pressure p.
+
+    told, grids: of each, which of these there are, and ends and sizes of its axes.
     """
 
     NAMES, MORE = ("x", "y", "u", "v", "omega"), ("psi", "p")
@@ -279,11 +281,12 @@ class Fields(Sequence):
     def __init__(self, run):
         self._run = run
         with self._open() as file:
-            found = sorted((float(group.attrs["time"]), name, set(group))
-                           for name, group in file.items())
+            found = sorted((float(group.attrs["time"]), name, set(group),
+                            tuple(group[axis][end] for axis in ("x", "y") for end in (0, -1))
+                            + group["omega"].shape) for name, group in file.items())
         if not found:
             raise Nothing
-        self.times, self._groups, self.told = zip(*found)
+        self.times, self._groups, self.told, self.grids = zip(*found)
 
     @contextmanager
     def _open(self):

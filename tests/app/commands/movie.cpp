@@ -142,6 +142,9 @@ TEST_CASE("a movie of nothing is refused with what to set, and none is left") {
   CHECK_THAT(refusal("movie r --what blobs"), Contains("3 frames") && Contains("output.frames"));
   CHECK_THAT(refusal("movie r --out movie.avi"), Contains(".mp4"));
   CHECK_THAT(refusal("movie r --out none/movie.mp4"), Contains("no such folder"));
+  const std::string resumed = "output.fields_every=0.04 time.end=0.6 --resume";
+  run(circle, folder, resumed + " 'output.window=[-1.0,-1.0,2.5,1.0]'");
+  CHECK_THAT(refusal("movie r"), Contains("several grids"));
   fs::remove(folder / "r/fields.h5");
   CHECK_THAT(refusal("movie r"), Contains("no pictures") && Contains("output.fields_every"));
   CHECK(!fs::exists(folder / "r/movie.mp4"));
