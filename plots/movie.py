@@ -9,10 +9,13 @@ import sys
 import time
 from pathlib import Path
 
+from _movie_blobs import Blobs
 from _movie_file import Ffmpeg, Refused, small_suffix, write, write_small
 from _movie_page import Page
-from _movie_shown import SHOWN
+from _movie_plane import Pressure, Speed, Vorticity
 from _style import Broken, Nothing, Run, printable, replaced
+
+SHOWN = {"vorticity": Vorticity, "speed": Speed, "pressure": Pressure, "blobs": Blobs}
 
 
 def asked():
