@@ -54,6 +54,19 @@ def circles(run, time=None):
     return [disc for k, disc in zip(run.numbers, discs(run, time)) if is_circle(run, k)]
 
 
+def within(field, walls):
+    """Which places of a field lie in a body, told by its corners."""
+    found = np.zeros((field["y"].size, field["x"].size), bool)
+    for wall in walls:
+        (left, low), (right, high) = wall.min(0), wall.max(0)
+        rows = (field["y"] >= low) & (field["y"] <= high)
+        columns = (field["x"] >= left) & (field["x"] <= right)
+        X, Y = np.meshgrid(field["x"][columns], field["y"][rows])
+        inside = Path(wall).contains_points(np.c_[X.ravel(), Y.ravel()])
+        found[np.ix_(rows, columns)] |= inside.reshape(X.shape)
+    return found
+
+
 def is_circle(run, number=1):
     """Whether the body of that number is one."""
     centre, _ = discs(run)[number - 1]

@@ -3,6 +3,8 @@
 import os
 import sys
 import tomllib
+from collections.abc import Sequence
+from contextlib import contextmanager
 from functools import cached_property
 from itertools import cycle
 from pathlib import Path
@@ -263,19 +265,45 @@ class Run:
         return next((read_csv(path) for path in (beside, shipped) if path.exists()), None)
 
     def fields(self):
-        """The grids of fields.h5 by ascending time: dictionaries of time, x, y, u, v, omega and, as
-        far as they are told, the stream function psi and the pressure p."""
-        names, more = ("x", "y", "u", "v", "omega"), ("psi", "p")
-        with self.hdf5("fields.h5") as file:
-            try:
-                found = [{"time": float(g.attrs["time"]), **{n: g[n][()] for n in names},
-                          **{n: g[n][()] for n in more if n in g}}
-                         for g in file.values()]
-            except (KeyError, OSError):
-                raise Broken(f"{self.folder / 'fields.h5'}: a field is damaged") from None
+        """Those of fields.h5; Nothing if there are none."""
+        return Fields(self)
+
+
+class Fields(Sequence):
+    """The grids of fields.h5 by ascending time, each read when it is asked for: dictionaries of
+    time, x, y, u, v, omega and, as far as they are told, the stream function psi and the pressure p.
+
+    told, grids: of each, which of these there are, and ends and sizes of its axes.
+    """
+
+    NAMES, MORE = ("x", "y", "u", "v", "omega"), ("psi", "p")
+
+    def __init__(self, run):
+        self._run = run
+        with self._open() as file:
+            found = sorted((float(group.attrs["time"]), name, set(group),
+                            tuple(group[axis][end] for axis in ("x", "y") for end in (0, -1))
+                            + group["omega"].shape) for name, group in file.items())
         if not found:
             raise Nothing
-        return sorted(found, key=lambda field: field["time"])
+        self.times, self._groups, self.told, self.grids = zip(*found)
+
+    @contextmanager
+    def _open(self):
+        with self._run.hdf5("fields.h5") as file:
+            try:
+                yield file
+            except (KeyError, OSError):
+                raise Broken(f"{self._run.folder / 'fields.h5'}: a field is damaged") from None
+
+    def __len__(self):
+        return len(self.times)
+
+    def __getitem__(self, k):
+        with self._open() as file:
+            group = file[self._groups[k]]
+            return {"time": self.times[k], **{name: group[name][()] for name in self.NAMES},
+                    **{name: group[name][()] for name in self.MORE if name in self.told[k]}}
 
 
 def interpolated(x, y, at):
@@ -315,17 +343,28 @@ def note(axes, text, x=0.985, y=0.94, **more):
     axes.text(x, y, text, transform=axes.transAxes, **{**style, **more})
 
 
-def save(figure, path):
-    """The old picture or the new one, whatever happens; only a file is replaced, a link is followed."""
+def printable(path):
+    return os.fsencode(path).decode(errors="backslashreplace")
+
+
+@contextmanager
+def replaced(path):
+    """A name to write under. What is written becomes the file in the end, the old one or the new one
+    whatever happens; only a file is replaced, a link is followed."""
     place = path.resolve()
     if place.exists() and not place.is_file():
-        sys.exit(f"{path} is no file, and is not replaced by a figure")
+        sys.exit(f"{path} is no file, and is not replaced")
     part = place.with_name(place.name + ".vortree.part")
     try:
-        figure.savefig(part, format=path.suffix[1:])
+        yield part
         part.replace(place)
     finally:
         part.unlink(missing_ok=True)
+
+
+def save(figure, path):
+    with replaced(path) as part:
+        figure.savefig(part, format=path.suffix[1:])
 
 
 def main(name, draw):
@@ -342,4 +381,4 @@ def main(name, draw):
     except Broken as error:
         sys.exit(str(error))
     save(made, run.folder / name)
-    print(os.fsencode(run.folder / name).decode(errors="backslashreplace"))
+    print(printable(run.folder / name))

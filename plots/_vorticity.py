@@ -1,7 +1,9 @@
 """Pictures of vorticity: fields in the body's units, where the colours end, how they are painted."""
 
 import numpy as np
+from _colours import COLOURS, UPPER
 from _style import Nothing
+from matplotlib.colors import TwoSlopeNorm
 
 
 def in_units(fields, length=1.0, centre=(0.0, 0.0), speed=1.0):
@@ -38,10 +40,29 @@ def grid(field, centre, radius):
     return np.meshgrid((field["x"] - centre[0]) / radius, (field["y"] - centre[1]) / radius)
 
 
-def vorticity(axes, field, circles, paint):
-    """Beside circles, told by centre and radius, the values go on inside, so that no pale seam runs
-    along the wall."""
-    x, y, omega = field["x"], field["y"], field["omega"].copy()
+def two_signs(least, most):
+    """The look of vorticity from least to most, each sign with a half of the colours of its own, and
+    the largest that it tells apart."""
+    if -least < 0.01 * most:  # of one sign
+        return {"cmap": UPPER, "vmin": 0, "vmax": rounded(most)}, most
+    low, high = rounded(max(-least, 0.01 * most)), rounded(max(most, -0.01 * least))
+    return {"cmap": COLOURS, "norm": TwoSlopeNorm(0, -low, high)}, min(low, high)
+
+
+def scale_bar(fig, picture, words, extend, **place):
+    bar = fig.colorbar(picture, extend=extend, **place)
+    bar.set_label(words)
+    bar.outline.set_linewidth(0.5)
+    if isinstance(picture.norm, TwoSlopeNorm):  # each sign has a half of its own
+        low, high = picture.norm.vmin, picture.norm.vmax
+        ticks = (low, low / 2, 0, high / 2, high)
+        bar.set_ticks(ticks, labels=[f"{v:.3g}".replace("-", "\N{MINUS SIGN}") for v in ticks])
+
+
+def gone_inside(field, circles):
+    """Its vorticity; beside circles, told by centre and radius, the values go on inside, so that no
+    pale seam runs along the wall."""
+    omega = field["omega"].copy()
     for circle in circles:
         X, Y = grid(field, *circle)
         r = np.hypot(X, Y)
@@ -49,7 +70,16 @@ def vorticity(axes, field, circles, paint):
         out = 2.06 / r[j, i] - 1
         omega[j, i] = omega[np.abs(Y[:, :1] - out * Y[j, i]).argmin(0),
                             np.abs(X[:1].T - out * X[j, i]).argmin(0)]
+    return omega
+
+
+def picture(axes, field, values, paint):
+    """Of values at the places of a field."""
+    x, y = field["x"], field["y"]
     dx, dy = x[1] - x[0], y[1] - y[0]
-    return axes.imshow(omega, origin="lower", **paint,
-                       extent=(x[0] - dx / 2, x[-1] + dx / 2, y[0] - dy / 2, y[-1] + dy / 2),
-                       interpolation="bicubic")
+    return axes.imshow(values, origin="lower", **paint, interpolation="bicubic",
+                       extent=(x[0] - dx / 2, x[-1] + dx / 2, y[0] - dy / 2, y[-1] + dy / 2))
+
+
+def vorticity(axes, field, circles, paint):
+    return picture(axes, field, gone_inside(field, circles), paint)

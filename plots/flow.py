@@ -1,13 +1,12 @@
 """What the flow looks like: vorticity, and the streamlines past a body."""
 
 import numpy as np
-from _colours import COLOURS, UPPER
+from _colours import COLOURS
 from _outline import circles, discs, outline, walls
 from _panels import name, windows
 from _streamlines import integrated_streamlines, streamlines
 from _style import Nothing, figure, main
-from _vorticity import in_units, rounded, scale, vorticity
-from matplotlib.colors import TwoSlopeNorm
+from _vorticity import in_units, scale, scale_bar, two_signs, vorticity
 
 MOST = 4  # panels
 
@@ -43,20 +42,11 @@ def draw(run):
         axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
         axes.grid(False)
     name(grid, len(fields), body)
-    scale_bar(fig, grid, picture, "vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$"
-              if "peak" not in fields[0] else "vorticity, of the largest then", body)
+    scale_bar(fig, picture, "vorticity  $\\omega R/U$" if body else "vorticity  $\\omega$"
+              if "peak" not in fields[0] else "vorticity, of the largest then",
+              "both" if body else "neither", ax=grid, shrink=0.8, aspect=16 * min(len(grid), 2),
+              pad=0.012)
     return fig
-
-
-def scale_bar(fig, grid, picture, words, body):
-    bar = fig.colorbar(picture, ax=grid, shrink=0.8, aspect=16 * min(len(grid), 2), pad=0.012,
-                       extend="both" if body else "neither")
-    bar.set_label(words)
-    bar.outline.set_linewidth(0.5)
-    if isinstance(picture.norm, TwoSlopeNorm):  # each sign has a half of its own
-        low, high = picture.norm.vmin, picture.norm.vmax
-        ticks = (low, low / 2, 0, high / 2, high)
-        bar.set_ticks(ticks, labels=[f"{v:.3g}".replace("-", "\N{MINUS SIGN}") for v in ticks])
 
 
 def scaled(run, body):
@@ -79,10 +69,7 @@ def colours(fields, bodies_of):
             raise Nothing
     least = min(field["omega"].min() for field in fields)
     most = max(field["omega"].max() for field in fields)
-    if -least < 0.01 * most:  # of one sign
-        return {"cmap": UPPER, "vmin": 0, "vmax": rounded(most)}, most
-    low, high = rounded(max(-least, 0.01 * most)), rounded(max(most, -0.01 * least))
-    return {"cmap": COLOURS, "norm": TwoSlopeNorm(0, -low, high)}, min(low, high)
+    return two_signs(least, most)
 
 
 def relative(fields):

@@ -18,6 +18,7 @@
 
 #include "app/commands/check.hpp"
 #include "app/commands/lyapunov.hpp"
+#include "app/commands/movie.hpp"
 #include "app/commands/plot.hpp"
 #include "app/commands/sweep.hpp"
 #include "app/grammar.hpp"
@@ -108,6 +109,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("cases")) tell("{}", list_cases());
   if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors));
   if (program.got_subcommand("lyapunov")) tell("{}", lyapunov(words.lyapunov));
+  if (program.got_subcommand("movie")) tell("{}\n", movie(words.movie));
   if (program.got_subcommand("plot")) plot_folder(words.folder);
   return arrived();
 }

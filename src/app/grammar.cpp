@@ -242,6 +242,37 @@ void add_lyapunov(CLI::App& program, Words& words) {
       "vortree lyapunov runs/wake --from 3 3 --to 2 4");
 }
 
+void add_movie(CLI::App& program, Words& words) {
+  auto& job = words.movie;
+  auto& command = *program.add_subcommand("movie", "make a video of the pictures of a run");
+  command.add_option("DIR", job.folder, "folder of a run with pictures")->required()->check(a_name);
+  command
+      .add_option("--what", job.what,
+                  "what is shown in colours; blobs: those, or particles, of each frame")
+      ->check(CLI::IsMember({"vorticity", "speed", "pressure", "blobs"}))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command.add_flag("--streamlines", job.streamlines, "draw lines of equal stream function, too");
+  command.add_option("--fps", job.fps, "pictures in a second of the video")
+      ->check(within(1, 240))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--size", job.size, "height in pixels")
+      ->check(within(240, 4320))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--out", job.out,
+          "the video, by default DIR/movie.mp4; beside it comes a small one that moves on a "
+          "page, .webp, of five seconds")
+      ->check(a_name)
+      ->type_name("FILE");
+  command.footer(
+      "example: vortree run cylinder_re550_quick output.fields_every=0.02 --out runs/wake\n"
+      "         vortree movie runs/wake");
+}
+
 void add_bench(CLI::App& program, Words& words) {
   auto& command = *program.add_subcommand(
       "bench",
@@ -295,6 +326,7 @@ std::unique_ptr<CLI::App> grammar(Words& words) {
   add_velocity(program, words);
   add_neighbors(program, words);
   add_lyapunov(program, words);
+  add_movie(program, words);
   add_bench(program, words);
   program.add_subcommand("plot", "draw the figures of a run or a bench into its folder")
       ->add_option("DIR", words.folder, "folder of a run or a bench")

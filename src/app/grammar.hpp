@@ -7,6 +7,7 @@
 
 #include "app/commands/bench.hpp"
 #include "app/commands/lyapunov.hpp"
+#include "app/commands/movie.hpp"
 #include "app/commands/neighbors.hpp"
 #include "app/commands/velocity.hpp"
 #include "app/loop/run.hpp"
@@ -19,6 +20,7 @@ struct Words {
   VelocityJob velocity;
   NeighborsJob neighbors;
   LyapunovJob lyapunov;
+  MovieJob movie;
   BenchJob bench;
   std::string benched;
   std::string scene;

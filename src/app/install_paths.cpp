@@ -13,6 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* movie = "movie.py";
+
 std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
   std::vector<fs::path> files;
   if (!fs::is_directory(folder)) return files;
@@ -63,9 +65,13 @@ std::vector<fs::path> plot_scripts(std::string_view kind) {
   auto scripts = files_in(share_folder() / "plots", ".py");
   std::erase_if(scripts, [kind](const fs::path& script) {
     const std::string name = script.filename().string();
-    return name.front() == '_' || !name.starts_with(kind);
+    return name.front() == '_' || name == movie || !name.starts_with(kind);
   });
   return scripts;
+}
+
+fs::path movie_script() {
+  return share_folder() / "plots" / movie;
 }
 
 }  // namespace vortree::app

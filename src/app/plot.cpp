@@ -11,6 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/install_paths.hpp"
@@ -26,11 +27,16 @@ namespace fs = std::filesystem;
 // By name, not the first in PATH: that one may lack matplotlib.
 constexpr const char* python = "/usr/bin/python3";
 
-std::string read_all(int descriptor) {
+std::string read_all(int descriptor, const Heard& heard) {
   std::string text;
   std::array<char, 4096> piece;
-  for (ssize_t n; (n = read(descriptor, piece.data(), piece.size())) > 0;)
+  std::size_t told = 0;
+  for (ssize_t n; (n = read(descriptor, piece.data(), piece.size())) > 0;) {
     text.append(piece.data(), n);
+    for (std::size_t end; heard && (end = text.find('\n', told)) != std::string::npos;
+         told = end + 1)
+      heard(std::string_view(text).substr(told, end - told));
+  }
   return text;
 }
 
@@ -38,6 +44,8 @@ std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text.substr(text.rfind('\n') + 1);
 }
+
+constexpr int refused_input = 2;
 
 // Runs the scripts one after another as if each were called alone: python SCRIPT FOLDER. Python and
 // matplotlib take longer to begin than most figures to draw. Who prints no name has drawn nothing.
@@ -73,12 +81,13 @@ struct Outcome {
   std::string errors;
 };
 
-Outcome run_scripts(const std::vector<fs::path>& scripts, const fs::path& folder) {
+Outcome run_python(std::vector<std::string> words, const Heard& heard = {}) {
+  setenv("MPLBACKEND", "Agg", 1);
+  setenv("PYTHONDONTWRITEBYTECODE", "1", 1);
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     throw std::runtime_error(fmt::format("pipe: {}", std::strerror(errno)));
-  std::vector<std::string> words{python, "-c", runner, folder.string()};
-  for (const fs::path& script : scripts) words.push_back(script.string());
+  words.insert(words.begin(), python);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -94,7 +103,7 @@ Outcome run_scripts(const std::vector<fs::path>& scripts, const fs::path& folder
     close(ends[0]);
     throw std::runtime_error(fmt::format("{}: {}", python, std::strerror(refused)));
   }
-  Outcome outcome{0, read_all(ends[0])};
+  Outcome outcome{0, read_all(ends[0], heard)};
   close(ends[0]);
   waitpid(child, &outcome.status, 0);
   return outcome;
@@ -106,14 +115,23 @@ bool plot(const fs::path& folder, std::string_view kind) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw io::InputError(fmt::format("{}: no such folder", folder.string()));
-  setenv("MPLBACKEND", "Agg", 1);
-  setenv("PYTHONDONTWRITEBYTECODE", "1", 1);
   const std::vector<fs::path> scripts = plot_scripts(kind);
   if (scripts.empty()) return false;
-  const auto [status, errors] = run_scripts(scripts, folder);
+  std::vector<std::string> words{"-c", runner, folder.string()};
+  for (const fs::path& script : scripts) words.push_back(script.string());
+  const auto [status, errors] = run_python(std::move(words));
   if (WIFEXITED(status) && WEXITSTATUS(status) == nothing_drawn) return false;
   if (status != 0) throw std::runtime_error(last_line(errors));
   return true;
+}
+
+std::string run_script(const fs::path& script, std::vector<std::string> words, const Heard& heard) {
+  words.insert(words.begin(), script.string());
+  const auto [status, errors] = run_python(std::move(words), heard);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == refused_input)
+    throw io::InputError(last_line(errors));
+  if (status != 0) throw std::runtime_error(last_line(errors));
+  return last_line(errors);
 }
 
 }  // namespace vortree::app

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace vortree::app {
 
@@ -17,5 +20,17 @@ namespace vortree::app {
 /// throws   io::InputError if there is no such folder; std::runtime_error that names the script
 ///          and says why, if one fails
 bool plot(const std::filesystem::path& folder, std::string_view kind = {});
+
+/// Takes each line that a script writes on standard error, while it runs.
+using Heard = std::function<void(std::string_view line)>;
+
+/// Runs one script with words of its own. Its last line on standard error says what it has made, or
+/// why it fails.
+///
+/// returns that line
+/// throws   io::InputError with that line if it leaves with 2; std::runtime_error if with another
+///         code than 0
+std::string run_script(const std::filesystem::path& script, std::vector<std::string> words,
+                       const Heard& heard);
 
 }  // namespace vortree::app

@@ -74,7 +74,8 @@ call_as_user() {
 steps() { cat "$project/steps" 2>/dev/null; }
 
 packages='g++ cmake ninja-build libeigen3-dev libboost-dev libfftw3-dev libhdf5-dev
-libtomlplusplus-dev libcli11-dev libfmt-dev libmuparser-dev nlohmann-json3-dev catch2 python3-matplotlib python3-h5py'
+libtomlplusplus-dev libcli11-dev libfmt-dev libmuparser-dev nlohmann-json3-dev catch2 python3-matplotlib python3-h5py
+ffmpeg'
 
 claim "without apt it names what is missing and stops"
 call "$project" ./vortree cases

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/folder/older_run.hpp"
 #include "app/folder/output_folder.hpp"
 #include "app/install_paths.hpp"
 #include "app/methods/methods.hpp"
@@ -38,14 +39,6 @@ constexpr double shortest_window = 0.01;   // in times between pictures
 constexpr std::string_view wanted =
     "a run with output.fields_every (or output.fields), output.window and output.field_spacing "
     "leaves pictures";
-
-void require_run(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error))
-    throw io::InputError(fmt::format("{}: no such folder", folder.string()));
-  if (!fs::exists(folder / "frames.h5", error))
-    throw io::InputError(fmt::format("{}: no run has left frames.h5 there", folder.string()));
-}
 
 void require_pairs(const LyapunovJob& job) {
   if (job.from.size() != job.to.size())
@@ -222,7 +215,7 @@ void refuse_turning(const flow::Case& flow, const fs::path& folder) {
 std::string lyapunov(const LyapunovJob& asked) {
   LyapunovJob job = asked;
   require_pairs(job);
-  require_run(job.folder);
+  require_frames(job.folder);
   const OutputFolder alone(job.folder);
   for (const char* name : {"lyapunov.h5", "lyapunov.xdmf", "lyapunov.png"})
     io::require_writable(job.folder / name,

@@ -84,6 +84,14 @@ void refuse_more_than_a_start(const fs::path& folder) {
 
 }  // namespace
 
+void require_frames(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw io::InputError(fmt::format("{}: no such folder", folder.string()));
+  if (!fs::exists(folder / "frames.h5", error))
+    throw io::InputError(fmt::format("{}: no run has left frames.h5 there", folder.string()));
+}
+
 bool holds_frames(const fs::path& folder) {
   const fs::path file = folder / "frames.h5";
   return fs::exists(file) && frames_in(file);
@@ -126,8 +134,8 @@ void remove_older_figures(const fs::path& folder, std::string_view kind) {
 
 void remove_older_tables_and_pictures(const fs::path& folder) {
   for (const char* name : tables) io::remove_file(folder / name);
-  for (const char* name :
-       {"probes.csv", "fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5", "lyapunov.xdmf"})
+  for (const char* name : {"probes.csv", "fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5",
+                           "lyapunov.xdmf", "movie.mp4", "movie.webp", "movie.gif"})
     io::remove_file(folder / name);
   remove_older_figures(folder);
 }

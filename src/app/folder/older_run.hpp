@@ -5,6 +5,9 @@
 
 namespace vortree::app {
 
+/// throws  io::InputError if there is no such folder, or no frames.h5 in it
+void require_frames(const std::filesystem::path& folder);
+
 /// Does the folder hold a run that could go on: a frames.h5 with frames, or a damaged one?
 bool holds_frames(const std::filesystem::path& folder);
 
@@ -25,8 +28,8 @@ void refuse_older_figures(const std::filesystem::path& folder, std::string_view 
 /// Removes the figures that scripts of this kind have drawn there.
 void remove_older_figures(const std::filesystem::path& folder, std::string_view kind = {});
 
-/// Removes what an older run has left beside its frames and summary: tables, pictures and figures,
-/// which may be those of another flow, with which the new run has nothing in common.
+/// Removes what an older run has left beside its frames and summary: tables, pictures, figures and
+/// movies, which may be those of another flow, with which the new run has nothing in common.
 void remove_older_tables_and_pictures(const std::filesystem::path& folder);
 
 /// A run with a body whose outline, which figures are drawn by, is not there: an earlier build made

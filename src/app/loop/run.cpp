@@ -214,6 +214,7 @@ bool Run::reach_end() {
                    .start = start,
                    .end = time(timetable_.last_step()),
                    .particles = solver_->particles(),
+                   .particle = solver_->particle(),
                    .drift = solver_->drift()});
     if (stop && step() < timetable_.last_step()) {
       progress.clear();

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
+#include <regex>
+#include <string>
 #include <vector>
 
 #include "app/loop/progress.hpp"
@@ -70,22 +72,57 @@ TEST_CASE("progress tells the time left from the flow time done since the start 
   CHECK(app::progress_line({.time = 1e-300, .end = 1}, 1).find("ETA ?") != std::string::npos);
 }
 
-TEST_CASE("progress is silent where standard error is not a terminal") {
+namespace {
+
+/// What a child writes on standard error.
+std::string heard_of(void (*body)()) {
   int ends[2];
   REQUIRE(pipe(ends) == 0);
-  if (const pid_t child = fork(); child == 0) {
+  const pid_t child = fork();
+  if (child == 0) {
     dup2(ends[1], STDERR_FILENO);
-    app::ProgressLine line;
-    line.show({.step = 1, .time = 1, .end = 2});
-    line.clear();
+    body();
     _exit(0);
-  } else {
-    close(ends[1]);
-    char byte;
-    CHECK(read(ends[0], &byte, 1) == 0);
-    close(ends[0]);
-    waitpid(child, nullptr, 0);
   }
+  close(ends[1]);
+  std::string text;
+  for (char byte; read(ends[0], &byte, 1) == 1;) text += byte;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return text;
+}
+
+const app::Progress half_way{.step = 1, .time = 1, .end = 2, .particles = 7, .particle = "blob"};
+
+}  // namespace
+
+TEST_CASE("where standard error is no terminal progress is silent for the first half minute") {
+  CHECK(heard_of([] {
+          app::ProgressLine line;
+          line.show(half_way);
+          line.show_line("picture 1 of 2");
+          line.clear();
+        }) == "");
+}
+
+TEST_CASE("then it is whole lines, those of a run with the time of day at which it will end") {
+  const std::string log = heard_of([] {
+    app::ProgressLine line(false, std::chrono::seconds(0));
+    line.show(half_way);
+    line.show_line("picture 1 of 2");
+  });
+  CAPTURE(log);
+  CHECK(std::regex_match(log, std::regex("vortree: step 1  t 1/2  dt 0  7 blobs  ETA .*  "
+                                         "ends about \\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d\n"
+                                         "vortree: picture 1 of 2\n")));
+}
+
+TEST_CASE("on a terminal it is one line that changes and goes") {
+  CHECK(heard_of([] {
+          app::ProgressLine line(true, std::chrono::seconds(0));
+          line.show_line("picture 1 of 2");
+          line.show_line("picture 2 of 2");
+        }) == "\r\x1b[Kpicture 1 of 2\r\x1b[Kpicture 2 of 2\r\x1b[K");
 }
 
 namespace {
