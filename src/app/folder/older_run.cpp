@@ -145,7 +145,9 @@ bool lacks_outline(const fs::path& folder) {
   std::error_code error;  // what is wrong with the folder is not said here
   if (!fs::exists(frames, error) || fs::exists(folder / "outline.csv", error)) return false;
   try {
-    return io::info_of_frames(frames).resolved.find("\n[body]\n") != std::string::npos;
+    const std::string scene = io::info_of_frames(frames).resolved;
+    return scene.find("\n[body]\n") != std::string::npos ||
+           scene.find("\n[[body]]\n") != std::string::npos;
   } catch (const io::InputError&) {
     return false;
   }
