@@ -400,6 +400,40 @@ def scenes(found):
         failed.append(f"cases/README.md tells of {sorted(told)}")
 
 
+# Of the table of bodies at two accuracies: scene and check of each row.
+TWICE = (
+    ("ellipse_re400", "drag_max"),
+    ("ellipse_re400", "lift_error_max"),
+    ("plunging_cylinder", "drag_max"),
+    ("plunging_cylinder", "lift_error_max"),
+    ("spinning_cylinder_re200", "drag_max"),
+    ("spinning_cylinder_re200", "lift_error_max"),
+    ("pitching_ellipse", "drag_max"),
+    ("pitching_ellipse", "lift_error_max"),
+    ("pitching_foil", "routes_max"),
+    ("pitching_foil", "lift_routes_max"),
+    ("naca2412", "routes_max"),
+    ("naca2412", "lift_routes_max"),
+    ("passing_cylinders", "routes_max"),
+    ("passing_cylinders", "lift_routes_max"),
+    ("side_by_side", "mean_drag_each_max"),
+    ("side_by_side", "lift_phases_max_deg"),
+    ("side_by_side_re62", "strouhal_max"),
+    ("tandem", "strouhal_max"),
+    ("tandem", "mean_drag_each_max"),
+)
+
+
+def bodies_at_two_accuracies():
+    rows = read("cases/two_accuracies.csv")
+    expected = []
+    for scene, what in TWICE:
+        coarse, fine = [row for row in rows if (row["scene"], row["what"]) == (scene, what)]
+        expected.append([None, None, [coarse["asked"]], [coarse["reached"]],
+                         [fine["reached"]], None])
+    hold_table("cases/README.md", "| scene | what | asked | coarse", expected)
+
+
 def wakes_that_shed(found):
     scenes = ("cylinder_re100", "cylinder_re200")
     rows = table("cases/README.md", "| to t = 100")
@@ -449,6 +483,7 @@ three_ways_to_diffuse()
 found, asked = reached()
 cylinder_at_550(found, asked)
 scenes(found)
+bodies_at_two_accuracies()
 wakes_that_shed(found)
 front_page(found)
 gallery()
