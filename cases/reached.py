@@ -9,23 +9,14 @@ particles at the end. Scenes that have no finished run in RUNS keep their rows. 
 are the machine's, and are not kept.
 """
 
-import csv
 import json
 import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-TABLE = HERE / "reached.csv"
+from _kept import HERE, read, write
+
+TABLE = "reached.csv"
 NAMES = ("scene", "what", "asked", "reached")
-NOTE = "# Written by cases/reached.py from what `./vortree run SCENE` has left of each scene.\n"
-
-
-def kept():
-    if not TABLE.exists():
-        return []
-    with TABLE.open() as file:
-        return [tuple(row.values()) for row in csv.DictReader(line for line in file
-                                                              if not line.startswith("#"))]
 
 
 def rows_of(scene, summary):
@@ -38,18 +29,12 @@ def rows_of(scene, summary):
 
 def main():
     runs = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parent / "runs"
-    told = {}
+    kept, rows = read(TABLE), []
     for scene in sorted(path.stem for path in HERE.glob("*.toml")):
-        told[scene] = [row for row in kept() if row[0] == scene]
         summary = runs / scene / "summary.json"
-        if summary.exists():
-            told[scene] = list(rows_of(scene, json.loads(summary.read_text())))
-    with TABLE.open("w") as file:
-        file.write(NOTE)
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(NAMES)
-        for rows in told.values():
-            table.writerows(rows)
+        told = rows_of(scene, json.loads(summary.read_text())) if summary.exists() else None
+        rows += told or kept.get(scene, [])
+    write(TABLE, "reached.py", NAMES, rows)
 
 
 main()

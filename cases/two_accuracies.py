@@ -8,23 +8,14 @@ A row a scene, check and accuracy: what was asked, what was reached, and the sec
 the summary.json that the sweep has left of it. Scenes without such runs in RUNS keep their rows.
 """
 
-import csv
 import json
 import sys
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
-TABLE = HERE / "two_accuracies.csv"
+from _kept import HERE, read, write
+
+TABLE = "two_accuracies.csv"
 NAMES = ("scene", "accuracy", "what", "asked", "reached", "seconds")
-NOTE = "# Written by cases/two_accuracies.py from runs of `./vortree run SCENE accuracy=A,B`.\n"
-
-
-def kept():
-    if not TABLE.exists():
-        return []
-    with TABLE.open() as file:
-        return [tuple(row.values()) for row in csv.DictReader(line for line in file
-                                                              if not line.startswith("#"))]
 
 
 def rows_of(scene, folder):
@@ -40,18 +31,11 @@ def rows_of(scene, folder):
 
 def main():
     runs = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE.parent / "runs"
-    told = {}
-    for row in kept():
-        told.setdefault(row[0], []).append(row)
+    told = read(TABLE)
     for scene in sorted(path.stem for path in HERE.glob("*.toml")):
         if list((runs / scene).glob("accuracy=*/summary.json")):
             told[scene] = list(rows_of(scene, runs / scene))
-    with TABLE.open("w") as file:
-        file.write(NOTE)
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(NAMES)
-        for scene in sorted(told):
-            table.writerows(told[scene])
+    write(TABLE, "two_accuracies.py", NAMES, [row for scene in sorted(told) for row in told[scene]])
 
 
 main()

@@ -240,42 +240,29 @@ void Wall::add_velocity_of_points(const Ring& ring, std::span<const double> shee
   }
 }
 
-void Wall::add_near_velocity(std::size_t k, std::span<const double> sheet, tree::Points targets,
-                             Velocities& u, const WallPoints& found) const {
-  const NearPanels& near = parts_[k].near;
-  const std::vector<double> wrapped = near.wrapped(rings_[k].of(sheet));
+void Wall::each_near(std::size_t k, tree::Points targets, const WallPoints& found,
+                     const auto& use) const {
   const double exact = exact_within * rings_[k].length;
   const auto count = static_cast<std::ptrdiff_t>(targets.size());
 #pragma omp parallel for schedule(dynamic, wall_points_a_turn)
   for (std::ptrdiff_t t = 0; t < count; ++t) {
     const Vec2 at{targets.x[t], targets.y[t]};
     const body::WallPoint w = nearest_on(k, found.known(t), at, exact);
-    if (std::abs(w.distance) >= exact) continue;
-    const Vec2 sum = near.correction(at, w.arc, wrapped);
-    u.u[t] += sum.x;
-    u.v[t] += sum.y;
+    if (std::abs(w.distance) < exact) use(t, at, w.arc);
   }
 }
 
 void Wall::add_velocity(std::span<const double> sheet, const fmm::Options& sums,
                         tree::Points targets, Velocities& u, const WallPoints& found) const {
   for (std::size_t k = 0; k < rings_.size(); ++k) {
+    const NearPanels& near = parts_[k].near;
+    const std::vector<double> wrapped = near.wrapped(rings_[k].of(sheet));
     add_velocity_of_points(rings_[k], sheet, sums, targets, u);
-    add_near_velocity(k, sheet, targets, u, found);
-  }
-}
-
-void Wall::add_near_stream_function(std::size_t k, std::span<const double> sheet,
-                                    tree::Points targets, std::span<double> psi) const {
-  const NearPanels& near = parts_[k].near;
-  const std::vector<double> wrapped = near.wrapped(rings_[k].of(sheet));
-  const double exact = exact_within * rings_[k].length;
-  const auto count = static_cast<std::ptrdiff_t>(targets.size());
-#pragma omp parallel for schedule(dynamic, wall_points_a_turn)
-  for (std::ptrdiff_t t = 0; t < count; ++t) {
-    const Vec2 at{targets.x[t], targets.y[t]};
-    const body::WallPoint w = nearest_on(k, no_wall_point, at, exact);
-    if (std::abs(w.distance) < exact) psi[t] += near.stream_correction(at, w.arc, wrapped);
+    each_near(k, targets, found, [&](std::ptrdiff_t t, Vec2 at, double arc) {
+      const Vec2 sum = near.correction(at, arc, wrapped);
+      u.u[t] += sum.x;
+      u.v[t] += sum.y;
+    });
   }
 }
 
@@ -287,7 +274,13 @@ void Wall::add_stream_function(std::span<const double> sheet, const fmm::Options
   fmm::Plan({middle_x_, middle_y_, circulation, {}}, sums)
       .stream_function(fmm::Targets{targets.x, targets.y, {}}, of_points);
   for (std::size_t t = 0; t < psi.size(); ++t) psi[t] += of_points[t];
-  for (std::size_t k = 0; k < rings_.size(); ++k) add_near_stream_function(k, sheet, targets, psi);
+  for (std::size_t k = 0; k < rings_.size(); ++k) {
+    const NearPanels& near = parts_[k].near;
+    const std::vector<double> wrapped = near.wrapped(rings_[k].of(sheet));
+    each_near(k, targets, WallPoints(), [&](std::ptrdiff_t t, Vec2 at, double arc) {
+      psi[t] += near.stream_correction(at, arc, wrapped);
+    });
+  }
 }
 
 /// A vortex of strength q has the velocity q e x (x - x')/(2 pi r^2).
@@ -300,20 +293,12 @@ void Wall::add_dipoles(std::span<const double> x, std::span<const double> y,
     add_velocity_of_points(ring, y, sums, targets, of_y);
   }
   for (std::size_t t = 0; t < potential.size(); ++t) potential[t] += of_x.v[t] - of_y.u[t];
-  for (std::size_t k = 0; k < rings_.size(); ++k) add_near_dipoles(k, x, y, targets, potential);
-}
-
-void Wall::add_near_dipoles(std::size_t k, std::span<const double> x, std::span<const double> y,
-                            tree::Points targets, std::span<double> potential) const {
-  const NearPanels& near = parts_[k].near;
-  const NearPanels::DipoleLayer layer = near.layer(rings_[k].of(x), rings_[k].of(y));
-  const double exact = exact_within * rings_[k].length;
-  const auto count = static_cast<std::ptrdiff_t>(targets.size());
-#pragma omp parallel for schedule(dynamic, wall_points_a_turn)
-  for (std::ptrdiff_t t = 0; t < count; ++t) {
-    const Vec2 at{targets.x[t], targets.y[t]};
-    const body::WallPoint w = nearest_on(k, no_wall_point, at, exact);
-    if (std::abs(w.distance) < exact) potential[t] += near.dipole_correction(at, w.arc, layer);
+  for (std::size_t k = 0; k < rings_.size(); ++k) {
+    const NearPanels& near = parts_[k].near;
+    const NearPanels::DipoleLayer layer = near.layer(rings_[k].of(x), rings_[k].of(y));
+    each_near(k, targets, WallPoints(), [&](std::ptrdiff_t t, Vec2 at, double arc) {
+      potential[t] += near.dipole_correction(at, arc, layer);
+    });
   }
 }
 

@@ -145,15 +145,12 @@ class Wall {
   };
 
   void add_body(const WallBody& body, double arc);
-  /// Of the panels of one body, as point vortices; and what they are beyond that to targets near.
+  /// Of the panels of one body, as point vortices.
   void add_velocity_of_points(const Ring& ring, std::span<const double> sheet,
                               const fmm::Options& sums, tree::Points targets, Velocities& u) const;
-  void add_near_velocity(std::size_t k, std::span<const double> sheet, tree::Points targets,
-                         Velocities& u, const WallPoints& found) const;
-  void add_near_stream_function(std::size_t k, std::span<const double> sheet, tree::Points targets,
-                                std::span<double> psi) const;
-  void add_near_dipoles(std::size_t k, std::span<const double> x, std::span<const double> y,
-                        tree::Points targets, std::span<double> potential) const;
+  /// Calls use(number, place, arc along the body) for targets that are near a body.
+  void each_near(std::size_t k, tree::Points targets, const WallPoints& found,
+                 const auto& use) const;
   Missed missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
                            std::size_t first, std::size_t last) const;
   void add_core(Vec2 at, const Deviator& deviator, const body::WallPoint& nearest, double gamma,
