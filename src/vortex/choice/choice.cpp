@@ -28,6 +28,10 @@ int panels_for(const body::BodySettings& body, double sigma_0) {
   return static_cast<int>(std::clamp(std::max(around / (2.4 * sigma_0), tips), 128.0, 4000.0));
 }
 
+double steps_a_period(double e) {
+  return 100 * std::max(1.0, std::sqrt(0.02 / e));
+}
+
 Choice past_body(const VortexCase& scene, double e) {
   const double speed = flow::fastest_of(scene);
   const double length = body::length_of(*scene.body), nu = scene.flow.nu;
@@ -42,7 +46,7 @@ Choice past_body(const VortexCase& scene, double e) {
   // A scene that sets its own step has the cores that go with it.
   c.dt = scene.time.dt > 0
              ? scene.time.dt
-             : flow::fitted_step(scene, std::min({longest, turning, period / 100,
+             : flow::fitted_step(scene, std::min({longest, turning, period / steps_a_period(e),
                                                   0.1 * std::min(e, 0.05) * length * length / nu}));
   const double squares =
       blunt || e <= 0.01 ? 6 + 2 * std::min(turning / longest, 1.0) : 8 * std::sqrt(e / 0.01);
