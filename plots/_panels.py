@@ -29,6 +29,8 @@ def windows(fields, value, faint, body):
 def window(fields, value, faint, body):
     x, y = fields[-1]["x"], fields[-1]["y"]
     rows, columns = np.nonzero(np.max([np.abs(f[value]) for f in fields], axis=0) > faint)
+    if not rows.size:  # nothing has come about yet
+        return [x[0], x[-1], y[0], y[-1]]
     left, right = x[columns.min()], x[columns.max()]
     low, high = y[rows.min()], y[rows.max()]
     pad = 0.6 if body else 0

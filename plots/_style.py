@@ -231,14 +231,21 @@ class Run:
         names = [f"body_{what}_{number}" for what in ("x", "y", "angle")]
         if time is None or not set(names) <= set(self.report):
             return np.zeros(2), 0.0
-        x, y, angle = (np.interp(time, self.report["t"], self.report[name]) for name in names)
+        x, y, angle = (self.at(time, name) for name in names)
         return np.array([x, y]), np.radians(angle)
+
+    def at(self, time, name):
+        """A column of the report then; before its first row straight on from the first two."""
+        t, values = self.report["t"], self.report[name]
+        if time >= t[0] or len(t) < 2:
+            return np.interp(time, t, values)
+        return values[0] + (time - t[0]) * (values[1] - values[0]) / (t[1] - t[0])
 
     def angle(self, time):
         """By which the body is turned then, anticlockwise, in radians."""
         if time is None or "motion" not in self.scene or "body_angle" not in self.report:
             return 0.0
-        return np.radians(np.interp(time, self.report["t"], self.report["body_angle"]))
+        return np.radians(self.at(time, "body_angle"))
 
     @cached_property
     def _outline(self):

@@ -31,7 +31,7 @@ def draw(run):
     for wanted in asked:
         drag.axhspan(wanted - off, wanted + off, color=GREY, alpha=0.35, lw=0)
     note(drag, "\n".join(words(means, asked, off)))
-    settled = [report[column][T >= 10] for column in run.columns("cd")]
+    settled = [report[column][T >= min(10, T[-1] / 2)] for column in run.columns("cd")]
     low, high = np.min(settled), np.max(settled)
     drag.set_ylim(low - 0.2 * (high - low), high + 0.6 * (high - low))
     drag.legend(loc="lower right", ncol=len(drag.lines))

@@ -39,6 +39,8 @@ namespace {
 constexpr double most_picture_points = 1e8;
 constexpr double most_tracers = 1e6;
 constexpr double closest = 0.003;  // of the smaller body's perimeter
+constexpr double farthest = 1e6;   // of the first one's length
+constexpr int moments = 1000;      // of a run, in which places of bodies are looked at
 
 double fastest_plunge(const Case& of) {
   if (!of.plunge) return 0;
@@ -67,14 +69,17 @@ struct FastestMoves {
   }
 };
 
+bool moves_on_its_own(const body::BodySettings& body) {
+  return body.motion && body.motion->course.moves();
+}
+
 /// Of the centre of a body.
 double fastest_travel(const Case& of) {
-  const double common =
-      fastest_plunge(of) + (of.motion ? FastestMoves(of.motion->course).speed : 0);
-  double own = 0;
-  for (const body::BodySettings& one : every_body(of))
-    if (one.motion) own = std::max(own, FastestMoves(one.motion->course).speed);
-  return common + own;
+  if (std::ranges::any_of(every_body(of), moves_on_its_own)) {
+    const Vec2 fastest = fastest_velocity(of);
+    return std::hypot(fastest.x, fastest.y);
+  }
+  return fastest_plunge(of) + (of.motion ? FastestMoves(of.motion->course).speed : 0);
 }
 
 /// Of the wall about the centre.
@@ -133,36 +138,37 @@ void refuse_body(const Case& of, std::size_t number, const body::BodySettings& b
   }
 }
 
-/// Bodies that overlap, or come closer than `closest`, at a time.
-void refuse_gaps(const body::Bodies& bodies, double t) {
-  const auto placed = [&](std::size_t k) {
-    const body::Kinematics own = bodies[k].own.at(t);
-    return body::PlacedShape(bodies[k].shape, bodies[k].centre + own.place, own.angle);
-  };
-  const std::string when = t > 0 ? fmt::format(" at t = {:.4g}", t) : "";
-  for (std::size_t k = 1; k < bodies.size(); ++k)
-    for (std::size_t before = 0; before < k; ++before) {
-      const double gap = body::gap_between(placed(before), placed(k)),
-                   least = closest * std::min(bodies[before].shape->perimeter(),
-                                              bodies[k].shape->perimeter());
-      if (gap >= least) continue;
-      const std::string key = fmt::format("body[{}].{}", k, t > 0 ? "motion" : "centre");
-      throw Refused(
-          key, gap > 0 ? fmt::format("body[{}] and body[{}] are {:.3g} apart{}; {:.3g} is the "
-                                     "least that can be computed",
-                                     before, k, gap, when, least)
-                       : fmt::format("body[{}] and body[{}] overlap{}, by {:.3g}", before, k, when,
-                                     -gap));
-    }
-}
-
-/// Bodies that come too close on their way: looked at in a thousand moments if any moves.
 void refuse_meetings(const Case& of) {
   const body::Bodies bodies = bodies_of(of);
-  const bool moves =
-      std::ranges::any_of(bodies, [](const body::Body& one) { return one.own.course.moves(); });
-  const int moments = moves ? 1000 : 0;
-  for (int k = 0; k <= moments; ++k) refuse_gaps(bodies, k == 0 ? 0 : of.time.end * k / moments);
+  for (const Meeting& one : meetings(of)) {
+    const double least = closest * std::min(bodies[one.first].shape->perimeter(),
+                                            bodies[one.second].shape->perimeter());
+    if (one.gap >= least) continue;
+    const std::string when = one.time > 0 ? fmt::format(" at t = {:.4g}", one.time) : "";
+    throw Refused(
+        fmt::format("body[{}].{}", one.second, one.time > 0 ? "motion" : "centre"),
+        one.gap >= 0
+            ? fmt::format("body[{}] and body[{}] are {:.3g} apart{}; {:.3g} is the least that can "
+                          "be computed",
+                          one.first, one.second, one.gap, when, least)
+            : fmt::format("body[{}] and body[{}] overlap{}, by {:.3g}", one.first, one.second, when,
+                          -one.gap));
+  }
+}
+
+/// Bodies so far apart that doubles are too coarse for places beside the other.
+void refuse_distances(const Case& of) {
+  const BodyList bodies = every_body(of);
+  const double most = farthest * body::length_of(*of.body);
+  for (std::size_t k = 1; k < bodies.size(); ++k) {
+    const double x = bodies[k].get().centre[0] - of.body->centre[0],
+                 y = bodies[k].get().centre[1] - of.body->centre[1];
+    if (std::hypot(x, y) > most)
+      throw Refused(fmt::format("body[{}].centre", k),
+                    fmt::format("body[{}] is {:.3g} away from body[0]; {:.3g} is the most that can "
+                                "be computed",
+                                k, std::hypot(x, y), most));
+  }
 }
 
 void refuse_several(const Case& of) {
@@ -171,6 +177,7 @@ void refuse_several(const Case& of) {
     throw Refused("motion.spin",
                   "motion.spin is of a single circle; of several bodies write "
                   "[body.motion] with spin below each that turns");
+  refuse_distances(of);
 }
 
 void refuse_tracers(const Case& of) {
@@ -299,6 +306,79 @@ BodyList every_body(const Case& of) {
 
 std::string key_of_body(const Case& of, std::size_t number, std::string_view key) {
   return of.others.empty() ? fmt::format("body.{}", key) : fmt::format("body[{}].{}", number, key);
+}
+
+Vec2 fastest_velocity(const Case& of) {
+  Vec2 fastest;
+  for (const body::Body& one : bodies_of(of)) {
+    std::vector<double> times(one.motion.course.times().begin(), one.motion.course.times().end());
+    times.insert(times.end(), one.own.course.times().begin(), one.own.course.times().end());
+    for (int k = 0; one.motion.plunge.frequency > 0 && k <= moments; ++k)
+      times.push_back(of.time.end * k / moments);
+    for (const double t : times)
+      if (const Vec2 v = one.motion.at(t).velocity + one.own.at(t).velocity;
+          dot(v, v) > dot(fastest, fastest))
+        fastest = v;
+  }
+  return fastest;
+}
+
+namespace {
+
+/// As it stands at a time in the frame of all.
+body::PlacedShape placed(const body::Body& body, double t) {
+  const body::Kinematics own = body.own.at(t);
+  return {body.shape, body.centre + own.place, own.angle};
+}
+
+double radius_of(const body::Body& body) {
+  double square = 0;
+  for (const body::OutlinePoint& one : body.shape->trace())
+    square = std::max(square, dot(one.at, one.at));
+  return std::sqrt(square);
+}
+
+/// Where two are nearest to each other; times at which their centres are too far apart for that are
+/// passed over.
+Meeting meeting(const body::Bodies& bodies, std::size_t a, std::size_t b, double end) {
+  const double radii = radius_of(bodies[a]) + radius_of(bodies[b]);
+  const bool moves = bodies[a].own.course.moves() || bodies[b].own.course.moves();
+  Meeting nearest{a, b, INFINITY, 0};
+  for (int k = 0; k <= (moves ? moments : 0); ++k) {
+    const double t = end * k / moments;
+    const Vec2 way =
+        bodies[a].centre + bodies[a].own.at(t).place - bodies[b].centre - bodies[b].own.at(t).place;
+    if (std::sqrt(dot(way, way)) - radii >= nearest.gap) continue;
+    const double gap = body::gap_between(placed(bodies[a], t), placed(bodies[b], t));
+    if (gap < nearest.gap) nearest.gap = gap, nearest.time = t;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<Meeting> meetings(const Case& of) {
+  const body::Bodies bodies = bodies_of(of);
+  std::vector<Meeting> all;
+  for (std::size_t b = 1; b < bodies.size(); ++b)
+    for (std::size_t a = 0; a < b; ++a) all.push_back(meeting(bodies, a, b, of.time.end));
+  return all;
+}
+
+std::array<double, 4> place_of_body(const Case& of, std::size_t number) {
+  const body::BodySettings& settings = every_body(of)[number];
+  const auto [x, y] = settings.centre;
+  std::array<double, 2> half = body::half_extent(settings);
+  if (!moves_on_its_own(settings)) return {x - half[0], y - half[1], x + half[0], y + half[1]};
+  const body::Body body = bodies_of(of)[number];
+  if (body.own.turns()) half[0] = half[1] = radius_of(body);
+  std::array<double, 4> all{INFINITY, INFINITY, -INFINITY, -INFINITY};
+  for (int k = 0; k <= moments; ++k) {
+    const Vec2 at = body.centre + body.own.at(of.time.end * k / moments).place;
+    all = {std::min(all[0], at.x - half[0]), std::min(all[1], at.y - half[1]),
+           std::max(all[2], at.x + half[0]), std::max(all[3], at.y + half[1])};
+  }
+  return all;
 }
 
 body::Bodies bodies_of(const Case& of) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -77,6 +78,23 @@ using BodyList = std::vector<std::reference_wrapper<const body::BodySettings>>;
 
 /// The key of a body's table, as errors name it: body.panels, or of one of several body[1].panels.
 [[nodiscard]] std::string key_of_body(const Case& of, std::size_t number, std::string_view key);
+
+/// The fastest that the centre of any body goes by its motions, as a vector [L/T].
+[[nodiscard]] Vec2 fastest_velocity(const Case& of);
+
+/// Where two of several bodies, first < second, are nearest to each other in a run: how far apart,
+/// negative where they overlap, and when.
+struct Meeting {
+  std::size_t first, second;
+  double gap, time;
+};
+
+/// Of all pairs; of those that move against each other the nearest of 1000 even times.
+/// cost  0.3 ms for each time at which a pair is nearer than before
+[[nodiscard]] std::vector<Meeting> meetings(const Case& of);
+
+/// The rectangle [x0, y0, x1, y1] that a body fills in the frame of all, wherever it goes in a run.
+[[nodiscard]] std::array<double, 4> place_of_body(const Case& of, std::size_t number);
 
 /// The bodies as they stand at t = 0.
 [[nodiscard]] body::Bodies bodies_of(const Case& of);

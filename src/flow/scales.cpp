@@ -5,26 +5,14 @@
 namespace vortree::flow {
 namespace {
 
-Vec2 fastest_of(const body::Motion& motion) {
-  Vec2 fastest;
-  for (const double t : motion.course.times())
-    if (const Vec2 v = motion.course.at(t).velocity; dot(v, v) > dot(fastest, fastest)) fastest = v;
-  return fastest;
-}
-
 /// Along which drag points: down the stream; in fluid at rest the way of a plunge, or against the
-/// fastest motion, of all bodies or else of one.
+/// fastest motion of any body.
 Vec2 way_of(const Case& of) {
   const auto [u, v] = of.flow.stream;
   if (u != 0 || v != 0) return {u, v};
   const body::Motion motion = body::motion_of(of.plunge, of.motion);
   if (motion.plunge.frequency > 0) return motion.plunge.amplitude;
-  Vec2 fastest = fastest_of(motion);
-  for (const body::BodySettings& one : every_body(of))
-    if (const Vec2 own = fastest_of(body::motion_of(std::nullopt, one.motion));
-        dot(fastest, fastest) == 0)
-      fastest = own;
-  return -1 * fastest;
+  return -1 * fastest_velocity(of);
 }
 
 bool begins_at_once(const body::Motion& motion) {

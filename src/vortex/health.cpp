@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/rounded.hpp"
@@ -76,8 +77,9 @@ std::string broken(const Blobs& blobs, const Setup& setup, double time) {
   }
   if (!setup.wall) return "";
   const double length = setup.scales.length, speed = setup.scales.speed;
-  const double unit = speed * length, way = speed * time / length;
-  if (strength > most_vorticity * unit * std::max(1.0, way / 10))
+  const double unit = speed * length, way = speed * time / length,
+               bodies = std::max(1.0, setup.wall->perimeter() / (std::numbers::pi * length));
+  if (strength > most_vorticity * unit * bodies * std::max(1.0, way / 10))
     return "the vorticity of both signs has grown to " + rounded(strength / unit, 3) +
            " U D, which no flow of this kind has: time step, cores or panels are too coarse";
   return "";

@@ -28,6 +28,12 @@ std::size_t MovingWall::panels() const {
   return sum;
 }
 
+double MovingWall::perimeter() const {
+  double sum = 0;
+  for (const WallBody& body : bodies_) sum += body.shape->perimeter();
+  return sum;
+}
+
 std::shared_ptr<const Standing> MovingWall::at(double time) const {
   const auto found = std::ranges::find_if(
       recent_, [&](const auto& known) { return !moves_ || known.first == time; });

@@ -33,6 +33,7 @@ class MovingWall {
       : MovingWall({{std::move(shape), panels}}, {{}}, turns) {}
 
   std::size_t panels() const;
+  double perimeter() const;  ///< of all bodies
   std::shared_ptr<const Standing> at(double time) const;
 
  private:

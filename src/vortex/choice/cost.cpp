@@ -110,7 +110,12 @@ Cost cost_of(const VortexCase& scene) {
   const double pictures =
       static_cast<double>(flow::picture_times(scene.output, scene.time.end).size()) *
       picture_points(scene.output) / points_a_second;
-  c.seconds = c.setup + pictures + c.steps * (seconds_a_step + sums * (velocities + solves));
+  // The wall of bodies that move against each other is made anew, for middle and end of a step.
+  const bool anew = std::ranges::any_of(
+      flow::bodies_of(scene), [](const body::Body& one) { return one.own.course.moves(); });
+  const double walls = anew ? sums * 2 * c.setup : 0;
+  c.seconds =
+      c.setup + pictures + c.steps * (seconds_a_step + walls + sums * (velocities + solves));
   return c;
 }
 

@@ -102,12 +102,11 @@ void hold_tips(const body::BodySettings& body, const std::string& key) {
                        std::ceil(around / (panel_at_tip * tip))));
 }
 
-/// merging.box must hold what lies within `half` of the centre.
-void hold_box(const std::array<double, 4>& box, const Pair& centre, const Pair& half,
+/// merging.box must hold what fills a rectangle.
+void hold_box(const std::array<double, 4>& box, const std::array<double, 4>& filled,
               std::string_view what) {
   const auto [x0, y0, x1, y1] = box;
-  const double left = centre[0] - half[0], right = centre[0] + half[0], low = centre[1] - half[1],
-               high = centre[1] + half[1];
+  const auto [left, low, right, high] = filled;
   if (x0 <= left && right <= x1 && y0 <= low && high <= y1) return;
   throw Refused("merging.box",
                 fmt::format("merging.box is [{}, {}, {}, {}]; it must hold {}, which fills "
@@ -127,11 +126,12 @@ void refuse_senseless(const VortexCase& scene) {
     hold_tips(bodies[k], flow::key_of_body(scene, k, "panels"));
   if (!scene.merging.box) return;
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    hold_box(*scene.merging.box, bodies[k].get().centre, body::half_extent(bodies[k]),
-             bodies.size() == 1 ? "the body" : fmt::format("body[{}]", k));
+    hold_box(*scene.merging.box, flow::place_of_body(scene, k),
+             bodies.size() == 1 ? "the body" : fmt::format("body[{}], wherever it goes", k));
   if (scene.initial) {
     const auto [x, y] = flow::half_extent(*scene.initial);
-    hold_box(*scene.merging.box, scene.initial->centre, {x, y}, "the initial vorticity");
+    const auto [a, b] = scene.initial->centre;
+    hold_box(*scene.merging.box, {a - x, b - y, a + x, b + y}, "the initial vorticity");
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include "base/free_memory.hpp"
 #include "body/extent.hpp"
-#include "body/outlines/shape_group.hpp"
 #include "flow/initial/widths.hpp"
 #include "vortex/choice/cost.hpp"
 #include "vortex/choice/scales.hpp"
@@ -99,18 +98,16 @@ void doubt_panels(Warnings& list, const body::BodySettings& body, const std::str
 /// Cores between two bodies are folded by the nearer one alone.
 void doubt_gaps(Warnings& list, const VortexCase& scene) {
   constexpr double cores_between = 6;
-  const body::Bodies bodies = flow::bodies_of(scene);
   const double widest = scene.cores.sigma_max;
-  for (std::size_t k = 1; k < bodies.size(); ++k)
-    for (std::size_t before = 0; before < k; ++before) {
-      const double gap = body::gap_between({bodies[before].shape, bodies[before].centre},
-                                           {bodies[k].shape, bodies[k].centre});
-      if (gap < cores_between * widest)
-        list.push_back(fmt::format(
-            "body[{}] and body[{}] are {:.3g} apart, {:.2g} of cores.sigma_max = {:.3g}: what lies "
-            "between them will be felt by one wall alone; {:.2g} is right",
-            before, k, gap, gap / widest, widest, gap / cores_between));
-    }
+  for (const flow::Meeting& one : flow::meetings(scene))
+    if (one.gap < cores_between * widest)
+      list.push_back(fmt::format(
+          "body[{}] and body[{}] are {:.3g} apart{}, {:.2g} of cores.sigma_max = {:.3g}: what lies "
+          "between them will be felt by one wall alone; cores.sigma_max = {:.2g}, by a finer "
+          "accuracy, is right",
+          one.first, one.second, one.gap,
+          one.time > 0 ? fmt::format(" at t = {:.4g}", one.time) : "", one.gap / widest, widest,
+          one.gap / cores_between));
 }
 
 void doubt_body(Warnings& list, const VortexCase& scene) {

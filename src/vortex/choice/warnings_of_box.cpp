@@ -38,9 +38,9 @@ flow::Warnings warnings_of_box(const VortexCase& scene) {
   std::array<double, 4> right = box;
   for (int side = 0; side < 4; ++side) {
     const double out = side < 2 ? -1 : 1;
-    for (const body::BodySettings& one : flow::every_body(scene)) {
-      const double edge = one.centre[side % 2] + out * (body::half_extent(one)[side % 2] +
-                                                        far_enough(scene, normals[side]));
+    for (std::size_t k = 0; k < flow::every_body(scene).size(); ++k) {
+      const double edge =
+          flow::place_of_body(scene, k)[side] + out * far_enough(scene, normals[side]);
       if (out * right[side] < out * edge) right[side] = edge;
     }
   }

@@ -97,7 +97,9 @@ void add_own_motion(std::size_t k, Wake& wake, const Problem& p, double time) {
                          p.flow.rate(k, time - p.dt / 2), p.dt});
   Load& pressure = wake.pressure[k];
   pressure += pressure_loads(driven, *p.wall, p.dt)[k];
-  pressure.force = axes(time - p.dt / 2)(pressure.force) -
+  // A place of the wall has gone round while it gathered what pressure drove off it.
+  const Turn back(p.flow.own_at(k, time - p.dt / 2).angle - p.flow.own_at(k, time).angle);
+  pressure.force = axes(time - p.dt / 2)(back(pressure.force)) -
                    1 / p.dt * (axes(time)(now.flux()) - axes(time - p.dt)(before.flux()));
   add(wake.pressure_slope, -1 / p.dt, driven);
   wake.friction[k].force = axes(time)(wake.friction[k].force);
