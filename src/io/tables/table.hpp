@@ -43,7 +43,8 @@ class Table {
   std::vector<double> values_;     // row by row, of those that are read
 };
 
-/// The number a text spells from end to end ("nan" and "inf" too, blanks around it allowed).
+/// The number a text spells from end to end ("nan" and "inf" too, blanks around it and
+/// a plus before it allowed).
 [[nodiscard]] std::optional<double> number(std::string_view text);
 
 }  // namespace vortree::io

@@ -12,20 +12,18 @@
 namespace vortree::app {
 namespace {
 
-using Columns = Quantity::Columns;
-
 void sum_gradient(const fmm::Plan& plan, const fmm::Sources&, const fmm::Targets& targets, double,
-                  Columns to) {
+                  Quantity::Columns to) {
   plan.gradient(targets, to[0], to[1], to[2]);
 }
 
 void sum_stream_function(const fmm::Plan& plan, const fmm::Sources&, const fmm::Targets& targets,
-                         double, Columns to) {
+                         double, Quantity::Columns to) {
   plan.stream_function(targets, to[0]);
 }
 
 void sum_vorticity(const fmm::Plan&, const fmm::Sources& sources, const fmm::Targets& targets,
-                   double tolerance, Columns to) {
+                   double tolerance, Quantity::Columns to) {
   fmm::vorticity(sources, {targets.x, targets.y}, to[0], tolerance);
 }
 
