@@ -23,8 +23,8 @@ struct ZipMember {
 
 /// The bytes of a member, in `zip` itself if they are stored, in `room` if they had to be unpacked.
 ///
-/// throws  BadArray: encrypted, packed by anything but deflate, damaged (its CRC is another), longer
-///         than the file; as inflated()
+/// throws  BadArray: encrypted, packed by anything but deflate, damaged (its CRC is another),
+///         longer than the file; as inflated()
 [[nodiscard]] std::string_view bytes_of(const ZipMember& member, std::string_view zip,
                                         std::string& room);
 

@@ -156,8 +156,18 @@ std::vector<std::string_view> wanted(const ParticleColumns& columns) {
   return names;
 }
 
+void refuse_run(const fs::path& path) {
+  std::error_code unknown;
+  if (fs::is_directory(path, unknown) && fs::exists(path / "frames.h5", unknown))
+    throw InputError(
+        fmt::format("{0} is the folder of a run; which of its frames? {0}::last, or "
+                    "{0}::0 for the first",
+                    path.string()));
+}
+
 std::unique_ptr<ArrayFile> open(const fs::path& path, const ParticleColumns& columns) {
   if (const auto pointer = frame_pointer(path)) return open_frame(*pointer);
+  refuse_run(path);
   const std::vector<std::string_view> names = wanted(columns);
   switch (format_of(path)) {
     case ParticleFormat::csv:

@@ -3,7 +3,9 @@
 #include <map>
 #include <random>
 
+#include "app/install_paths.hpp"
 #include "app/program.hpp"
+#include "io/arrays/frame_file.hpp"
 #include "io/arrays/hdf5_file.hpp"
 #include "io/arrays/made.hpp"
 #include "io/arrays/npz_file.hpp"
@@ -305,6 +307,26 @@ TEST_CASE("an HDF5 output tells where its numbers come from") {
   CHECK(attribute(folder, "particles") == std::to_string(n));
 }
 
+TEST_CASE("velocities of a frame are those that the run has written into it") {
+  const TemporaryFolder folder;
+  const std::string scene = (app::share_folder() / "cases/corotating_pair.toml").string();
+  const NoFigures none(folder);
+  const auto run =
+      call("run '" + scene + "' time.end=0.1 velocity.tolerance=1e-9 --out run", folder);
+  CAPTURE(run.err);
+  REQUIRE(run.code == 0);
+  REQUIRE(call("velocity run::0 --tolerance 1e-9 --out o.npz", folder).code == 0);
+  const auto frame = io::open_frame({folder / "run/frames.h5", 0});
+  double apart = 0, length = 0;
+  for (const std::string name : {"u", "v"}) {
+    const Vector found = of_npz(folder / "o.npz", name), written = frame->read(name, 0);
+    REQUIRE(found.size() == written.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+      apart += std::pow(found[i] - written[i], 2), length += written[i] * written[i];
+  }
+  CHECK(std::sqrt(apart / length) <= 2e-9);  // each of both sums keeps 1e-9
+}
+
 TEST_CASE("a wrong file or word is refused with one line, and nothing is written") {
   const TemporaryFolder folder;
   write_every_kind(folder, cloud());
@@ -336,7 +358,7 @@ TEST_CASE("a wrong file or word is refused with one line, and nothing is written
       {"run::first", "run::first: \"first\" names no frame; last or a number"},
       {"run/frames.h5", "run/frames.h5 has 2 frames of a run; which of them?"},
       {"missing.npz", "missing.npz: no such file"},
-      {"run", "run is a folder; a file was expected"},
+      {"run", "run is the folder of a run; which of its frames? run::last, or run::0 for the"},
       {"in.h5 --targets rows.npy", "rows.npy: the array has shape (700, 4); n rows of x, y were"},
       {"in.h5 --what speed", "speed not in {velocity,gradient,stream_function,vorticity}"},
       {"in.h5 --what velocity,velocity", "velocity is there twice"},
