@@ -68,7 +68,7 @@ TEST_CASE("arrays of an .npz are read by their names, behind any comment and by 
   members.push_back({"notes.txt", "any"});
   members.push_back({"sigma.npy", npy("'<f4'", "(3,)", bytes_in(std::vector<float>{1, 2, 0.5}))});
   for (MadeMember& one : members) one.long_numbers = longer;
-  for (const std::string comment : {"", "PK\5\6 a comment"}) {
+  for (const std::string comment : {"", "PK\5\6 longer than the end of a directory"}) {
     const ParticleFile p = read(box, zip(members, comment, longer));
     CHECK(p.x == Doubles{1, 2, 3});
     CHECK(p.y == three);
