@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "app/commands/sums/origin.hpp"
-#include "app/commands/sums/quantities.hpp"
+#include "app/commands/sums/velocity_problem.hpp"
 #include "app/json.hpp"
 #include "app/say.hpp"
 #include "base/clock.hpp"
@@ -21,34 +21,14 @@
 #include "io/files.hpp"
 #include "io/quote.hpp"
 #include "io/tables/particles.hpp"
-#include "io/while_reading.hpp"
 #include "tree/order/points.hpp"
 #include "vortex/choice/warnings_of_means.hpp"
 
 namespace vortree::app {
 namespace {
 
-struct VelocityProblem {
-  io::ParticleFile sources, targets;
-  bool elsewhere = false;        // the targets are not the sources themselves
-  std::vector<double> u, v;      // empty unless asked for
-  std::vector<Quantity> others;  // asked for beside velocities
-  std::vector<std::vector<std::vector<double>>> found;  // the columns of each of them
-
-  fmm::Sources blobs() const { return {sources.x, sources.y, sources.gamma, sources.sigma}; }
-  fmm::Targets points() const {
-    const auto& at = elsewhere ? targets : sources;
-    return {at.x, at.y, {}};
-  }
-};
-
-bool asks_for_velocity(const std::vector<Quantity>& asked) {
-  return asked.front().sum == nullptr;
-}
-
 void check_quantities(const VelocityJob& job) {
-  const std::vector<Quantity> asked = quantities_in(job.what);
-  if (job.verify && !asks_for_velocity(asked))
+  if (job.verify && !asks_for_velocity(job))
     throw std::invalid_argument("--verify is for velocities; --what does not ask for them");
   if (job.method == "grid" && job.what != "velocity")
     throw std::invalid_argument("--method grid sums velocities alone");
@@ -107,7 +87,7 @@ bench::Account sum_others(VelocityProblem& problem, const VelocityJob& job, Stop
 bench::Account sum(VelocityProblem& problem, const VelocityJob& job, Stopwatch& watch) {
   const auto phase = [&watch](std::string_view name) { watch.begin(name); };
   std::optional<bench::Account> account;
-  if (asks_for_velocity(quantities_in(job.what)))
+  if (problem.velocities)
     account = method_named(job.method)
                   .sum({problem.blobs(), problem.points(), problem.elsewhere, problem.u, problem.v},
                        job.options, phase, {.repeated = job.repeat > 1});
@@ -151,64 +131,6 @@ void warn_of_few_terms(const VelocityJob& job, const bench::Account& account) {
 template <class Value>
 Json if_any(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
-}
-
-io::ParticleFile read(const std::filesystem::path& file, io::ParticleColumns columns) {
-  const io::WhileReading reading(file);
-  return io::read_particles(file, columns);
-}
-
-io::ParticleFile read_sources(const VelocityJob& job) {
-  using enum io::Need;
-  io::ParticleFile sources = read(job.in, {.gamma = required, .sigma = optional});
-  if (job.sigma) sources.sigma.assign(sources.x.size(), *job.sigma);
-  return sources;
-}
-
-// Room for all that is asked for.
-void make_room(VelocityProblem& problem, const VelocityJob& job) {
-  const std::size_t m = problem.points().size();
-  for (const Quantity& one : quantities_in(job.what)) {
-    if (one.sum == nullptr) {
-      problem.u.resize(m);
-      problem.v.resize(m);
-      continue;
-    }
-    problem.others.push_back(one);
-    problem.found.emplace_back(one.columns.size(), std::vector<double>(m));
-  }
-}
-
-void require_cores(const VelocityProblem& problem, const VelocityJob& job) {
-  const bool vorticity =
-      std::ranges::find(problem.others, "vorticity", &Quantity::name) != problem.others.end();
-  if (vorticity && problem.sources.sigma.empty())
-    throw io::InputError(
-        fmt::format("{}: bare vortices have no vorticity around them; cores were "
-                    "expected, sigma of each or --sigma of all",
-                    job.in.string()));
-}
-
-VelocityProblem read_problem(const VelocityJob& job) {
-  VelocityProblem problem;
-  problem.sources = read_sources(job);
-  problem.elsewhere = !job.targets.empty();
-  if (problem.elsewhere) problem.targets = read(job.targets, {});
-  make_room(problem, job);
-  require_cores(problem, job);
-  return problem;
-}
-
-std::vector<io::ParticleColumn> result_columns(const VelocityProblem& problem,
-                                               const VelocityJob& job) {
-  using Line = std::span<const double>;
-  std::vector<io::ParticleColumn> columns;
-  if (asks_for_velocity(quantities_in(job.what)))
-    columns = {{"u", Line(problem.u)}, {"v", Line(problem.v)}};
-  for (std::size_t k = 0; k < problem.others.size(); ++k)
-    for (std::size_t c = 0; c < problem.found[k].size(); ++c)
-      columns.push_back({std::string(problem.others[k].columns[c]), Line(problem.found[k][c])});
-  return columns;
 }
 
 io::Attributes attributes_of(const VelocityProblem& problem, const VelocityJob& job,
@@ -289,7 +211,7 @@ VelocityReport velocity(const VelocityJob& job) {
   if (!job.verify) warn_of_few_terms(job, account);  // which measures the error itself
 
   files.begin("io");
-  io::write_columns(job.out, result_columns(problem, job), attributes_of(problem, job, account));
+  io::write_columns(job.out, columns_of(problem), attributes_of(problem, job, account));
   files.end();
 
   Json report;
