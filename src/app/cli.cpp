@@ -14,6 +14,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "app/commands/check.hpp"
@@ -131,6 +132,24 @@ std::string out_of_memory(const CLI::App& program, const Words& words) {
                      1e-9 * static_cast<double>(free_memory()));
 }
 
+/// The words that were said, as a shell would take them again.
+std::string joined(std::span<const char* const> words) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  std::string line = "vortree";
+  for (const std::string_view word : words) {
+    line += ' ';
+    if (!word.empty() && word.find_first_not_of(plain) == word.npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
 /// throws  CLI::ParseError: what is wrong, or that only help or the version was asked for
 void read(CLI::App& program, int argc, const char* const* argv) {
   program.parse(argc, argv);
@@ -164,6 +183,8 @@ int command_line(int argc, char** argv) {
   const std::unique_ptr<CLI::App> program = grammar(words);
   try {
     read(*program, argc, argv);
+    words.velocity.said = words.neighbors.said =
+        joined(std::span<const char* const>(argv, argc).subspan(1));
     return carry_out(*program, words);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program->exit(error);

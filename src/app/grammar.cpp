@@ -9,9 +9,11 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
+#include "app/commands/sums/quantities.hpp"
 #include "app/install_paths.hpp"
 #include "io/quote.hpp"
 
@@ -56,6 +58,32 @@ constexpr int most_threads = 4096, most_repeats = 1000000;
 /// An empty one is what a script leaves of a variable that it has not set: not the default.
 const CLI::Validator a_name(
     [](const std::string& word) { return word.empty() ? "the name is empty" : std::string(); }, "");
+
+CLI::Validator not_negative() {
+  return must_be<double>("finite number >= 0",
+                         [](double value) { return value >= 0 && std::isfinite(value); });
+}
+
+const CLI::Validator a_list_of_quantities(
+    [](const std::string& word) {
+      try {
+        (void)quantities_in(word);
+        return std::string();
+      } catch (const std::invalid_argument& refused) {
+        return std::string(refused.what());
+      }
+    },
+    "");
+
+/// What files of particles can be, for the end of a help.
+std::string formats_of(std::string_view columns) {
+  return fmt::format(
+      "files: FILE.h5 (HDF5 datasets of these names), FILE.npz (arrays of these names),\n"
+      "FILE.csv (a line of names, then rows; # notes), FILE.npy (n rows of {}, or the first\n"
+      "of these; or records with these names), FILE::12, FILE::last, DIR::last (a frame of a\n"
+      "run, counted from 0). In .h5 and .npz positions may be points, n x 2\n",
+      columns);
+}
 
 /// One of these words, and nothing else, becomes its value.
 template <class Value>
@@ -149,12 +177,22 @@ void add_velocity(CLI::App& program, Words& words) {
       *program.add_subcommand("velocity", "velocities of the vortices of a particle file");
   command
       .add_option("IN", job.in,
-                  "HDF5 file with x, y, gamma and, unless they are bare vortices, sigma")
+                  "file with x, y, gamma and, unless they are bare vortices, sigma (formats below)")
       ->required();
-  command.add_option("--out", job.out, "HDF5 file for u, v")
+  command.add_option("--out", job.out, "file for u, v: .h5, .npz or .csv")
       ->required()
       ->check(a_name)
       ->type_name("FILE");
+  command
+      .add_option("--what", job.what,
+                  "a list of velocity (u, v), gradient (ux, uy, vx), stream_function (psi), "
+                  "vorticity (omega)")
+      ->check(a_list_of_quantities)
+      ->type_name("LIST")
+      ->capture_default_str();
+  command.add_option("--sigma", job.sigma, "core of all vortices, instead of what the file says")
+      ->check(not_negative())
+      ->type_name("REAL");
   command.add_option("--tolerance", job.options.tolerance, "relative L2 error that may be made")
       ->check(must_be<double>("number between 0 and 1", [](double t) { return t > 0 && t < 1; }))
       ->type_name("REAL")
@@ -168,8 +206,7 @@ void add_velocity(CLI::App& program, Words& words) {
       ->type_name("NAME")
       ->default_str("reverse");
   command
-      .add_option("--targets", job.targets,
-                  "HDF5 file with x, y: velocities there, not at the vortices")
+      .add_option("--targets", job.targets, "file with x, y: velocities there, not at the vortices")
       ->check(a_name)
       ->type_name("FILE");
   add_tree(command, job.options);
@@ -180,7 +217,9 @@ void add_velocity(CLI::App& program, Words& words) {
       ->type_name("K")
       ->capture_default_str();
   add_threads(command, words);
-  command.footer("example: vortree velocity wake.h5 --out uv.h5 --tolerance 1e-9 --verify");
+  command.footer(formats_of("x, y, gamma, sigma") +
+                 "example: vortree velocity wake.h5 --out uv.h5 --tolerance 1e-9 --verify\n"
+                 "vortree velocity runs/wake::last --what velocity,vorticity --out uv.csv");
 }
 
 void add_neighbors(CLI::App& program, Words& words) {
@@ -190,11 +229,11 @@ void add_neighbors(CLI::App& program, Words& words) {
   auto& job = words.neighbors;
   auto& command =
       *program.add_subcommand("neighbors", "neighbors of the particles of a particle file");
-  command.add_option("IN", job.in, "HDF5 file with x, y, reach")->required();
+  command.add_option("IN", job.in, "file with x, y, reach (formats below)")->required();
   command
       .add_option("--out", job.out,
-                  "HDF5 file for start (n + 1), index: the neighbors of particle i are "
-                  "index[start[i]], ..., index[start[i + 1] - 1]")
+                  ".h5 or .npz for start (n + 1), index: the neighbors of particle i are "
+                  "index[start[i]], ..., index[start[i + 1] - 1]; .csv for lines i,j")
       ->required()
       ->check(a_name)
       ->type_name("FILE");
@@ -204,6 +243,9 @@ void add_neighbors(CLI::App& program, Words& words) {
       ->transform(one_of(rules))
       ->type_name("NAME")
       ->default_str("max");
+  command.add_option("--reach", job.reach, "of all particles, instead of what the file says")
+      ->check(not_negative())
+      ->type_name("REAL");
   command.add_option("--method", job.method, "how to search")
       ->check(CLI::IsMember(neighbor_methods()))
       ->type_name("NAME")
@@ -214,7 +256,9 @@ void add_neighbors(CLI::App& program, Words& words) {
       ->type_name("K")
       ->capture_default_str();
   add_threads(command, words);
-  command.footer("example: vortree neighbors sph.h5 --out rows.h5 --rule mean --half");
+  command.footer(formats_of("x, y, reach") +
+                 "example: vortree neighbors sph.h5 --out rows.h5 --rule mean --half\n"
+                 "vortree neighbors runs/sph::last --reach 0.1 --out rows.npz");
 }
 
 void add_lyapunov(CLI::App& program, Words& words) {

@@ -54,6 +54,15 @@ particles("link.h5", without="x")["x"] = h5py.ExternalLink("none.h5", "x")
 particles("soft.h5", without="x")["x"] = h5py.SoftLink("/y")
 particles("huge.h5", without="x").create_dataset("x", (2**40,), chunks=(64,))
 
+rows = random.random((5, 4))
+named = {name: random.random(5) for name in columns}
+numpy.save(seeds_of("arrays") / "rows.npy", rows)
+numpy.save(seeds_of("arrays") / "turned.npy", numpy.asfortranarray(rows.astype(">f4")))
+numpy.save(seeds_of("arrays") / "records.npy", numpy.zeros(3, [(name, "<i2") for name in columns]))
+numpy.savez(seeds_of("arrays") / "stored.npz", **named)
+numpy.savez_compressed(seeds_of("arrays") / "packed.npz", points=rows[:, :2], gamma=named["gamma"], sigma=0.1)
+(seeds_of("arrays") / "rows.csv").write_text("# a\nname,x,y,gamma\na,1,2,3\nb,4,-5e-3,+6\n")
+
 frame = {name: random.random(3) for name in ("x", "y", "gamma", "sigma", "u", "v")}
 with h5py.File(seeds_of("frames") / "fields.h5", "w") as file:
     group = file.create_group("field_0.5", track_order=True)

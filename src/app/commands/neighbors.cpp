@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "app/commands/sums/origin.hpp"
 #include "app/json.hpp"
 #include "base/clock.hpp"
 #include "base/free_memory.hpp"
@@ -42,7 +43,9 @@ void search(neighbors::NeighborMethod& method, const neighbors::NeighborJob& job
 // 64-bit counts, 32-bit numbers of particles.
 io::ParticleFile read_particles(const NeighborsJob& job) {
   const io::WhileReading reading(job.in);
-  auto particles = io::read_particles(job.in, {.reach = io::Need::required});
+  const auto need = job.reach ? io::Need::optional : io::Need::required;
+  auto particles = io::read_particles(job.in, {.reach = need});
+  if (job.reach) particles.reach.assign(particles.x.size(), *job.reach);
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
   if (particles.x.size() > most) {
     throw io::InputError(fmt::format("{}: {} particles; at most {} can be listed", job.in.string(),
@@ -89,15 +92,35 @@ Laps search(const NeighborsJob& job, const neighbors::NeighborMaker& maker,
   return laps;
 }
 
-void write_rows(const std::filesystem::path& out, const tree::PairList& rows) {
-  const std::array columns{io::ParticleColumn{"start", rows.start.span()},
-                           io::ParticleColumn{"index", rows.index.span()}};
-  io::write_columns(out, columns);
-}
-
 std::string_view name_of(tree::PairRule rule) {
   constexpr std::array<std::string_view, 3> names{"max", "mean", "own"};
   return names[static_cast<std::size_t>(rule)];
+}
+
+io::Attributes attributes_of(const NeighborsJob& job, std::size_t particles) {
+  io::Attributes about = origin_of(job.said, job.in, particles);
+  about.emplace_back("method", job.method);
+  about.emplace_back("rule", std::string(name_of(job.rule)));
+  about.emplace_back("half", std::int64_t{job.half});
+  return about;
+}
+
+// A line for each entry.
+void write_pairs(const NeighborsJob& job, const tree::PairList& rows) {
+  std::vector<std::int32_t> particle(rows.index.size());
+  for (std::size_t i = 0; i + 1 < rows.start.size(); ++i)
+    std::fill(particle.begin() + rows.start[i], particle.begin() + rows.start[i + 1],
+              static_cast<std::int32_t>(i));
+  const std::array columns{io::ParticleColumn{"i", std::span<const std::int32_t>(particle)},
+                           io::ParticleColumn{"j", rows.index.span()}};
+  io::write_columns(job.out, columns);
+}
+
+void write_rows(const NeighborsJob& job, const tree::PairList& rows) {
+  if (io::format_of(job.out) == io::ParticleFormat::csv) return write_pairs(job, rows);
+  const std::array columns{io::ParticleColumn{"start", rows.start.span()},
+                           io::ParticleColumn{"index", rows.index.span()}};
+  io::write_columns(job.out, columns, attributes_of(job, rows.start.size() - 1));
 }
 
 }  // namespace
@@ -117,7 +140,8 @@ std::string neighbors(const NeighborsJob& job) {
   const neighbors::NeighborMaker& maker = neighbors::maker_of(job.method);
   Stopwatch files;
   files.begin("io");
-  io::require_writable(job.out, std::array{job.in});
+  io::require_writable_format(job.out);
+  io::require_writable(job.out, std::array{io::file_behind(job.in)});
   const io::ParticleFile particles = read_particles(job);
   files.end();
 
@@ -128,7 +152,7 @@ std::string neighbors(const NeighborsJob& job) {
   const Laps laps = search(job, maker, asked, rows);
 
   files.begin("io");
-  write_rows(job.out, rows);
+  write_rows(job, rows);
   files.end();
 
   Json report;

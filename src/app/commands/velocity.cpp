@@ -9,6 +9,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "app/commands/sums/origin.hpp"
+#include "app/commands/sums/velocity_problem.hpp"
 #include "app/json.hpp"
 #include "app/say.hpp"
 #include "base/clock.hpp"
@@ -17,25 +19,20 @@
 #include "bench/measures/accuracy.hpp"
 #include "bench/measures/methods.hpp"
 #include "io/files.hpp"
+#include "io/quote.hpp"
 #include "io/tables/particles.hpp"
-#include "io/while_reading.hpp"
 #include "tree/order/points.hpp"
 #include "vortex/choice/warnings_of_means.hpp"
 
 namespace vortree::app {
 namespace {
 
-struct VelocityProblem {
-  io::ParticleFile sources, targets;
-  bool elsewhere = false;  // the targets are not the sources themselves
-  std::vector<double> u, v;
-
-  fmm::Sources blobs() const { return {sources.x, sources.y, sources.gamma, sources.sigma}; }
-  fmm::Targets points() const {
-    const auto& at = elsewhere ? targets : sources;
-    return {at.x, at.y, {}};
-  }
-};
+void check_quantities(const VelocityJob& job) {
+  if (job.verify && !asks_for_velocity(job))
+    throw std::invalid_argument("--verify is for velocities; --what does not ask for them");
+  if (job.method == "grid" && job.what != "velocity")
+    throw std::invalid_argument("--method grid sums velocities alone");
+}
 
 const bench::VelocityMethod& method_named(std::string_view name) {
   const auto found = std::ranges::find(bench::methods(), name, &bench::VelocityMethod::name);
@@ -48,7 +45,8 @@ const bench::VelocityMethod& method_named(std::string_view name) {
 constexpr std::uint64_t bytes_a_vortex = 130, bytes_a_target = 40;
 
 void check_memory(const VelocityProblem& problem) {
-  const std::uint64_t n = problem.sources.x.size(), m = problem.elsewhere ? problem.u.size() : 0;
+  const std::uint64_t n = problem.sources.x.size();
+  const std::uint64_t m = problem.elsewhere ? problem.points().size() : 0;
   const std::uint64_t needed = bytes_a_vortex * n + bytes_a_target * m, left = free_memory();
   if (needed <= left) return;
   throw std::runtime_error(
@@ -56,12 +54,46 @@ void check_memory(const VelocityProblem& problem) {
                   m, 1e-9 * static_cast<double>(needed), 1e-9 * static_cast<double>(left)));
 }
 
+fmm::SumMethod sum_method(std::string_view name) {
+  if (name == "direct") return fmm::SumMethod::direct;
+  return name == "boxes" ? fmm::SumMethod::boxes : fmm::SumMethod::fmm;
+}
+
+bench::Account account_of(const fmm::Plan& plan, const fmm::Options& options) {
+  bench::Account account;
+  if (options.method == fmm::SumMethod::direct) return account;
+  account.builder = options.builder == fmm::Builder::reverse ? "reverse" : "forward";
+  account.tolerance = options.tolerance;
+  account.order = plan.order();
+  return account;
+}
+
+// What is asked for beside velocities.
+bench::Account sum_others(VelocityProblem& problem, const VelocityJob& job, Stopwatch& watch) {
+  fmm::Options options = job.options;
+  options.method = sum_method(job.method);
+  watch.begin("plan");
+  const fmm::Plan plan(problem.blobs(), options);
+  for (std::size_t k = 0; k < problem.others.size(); ++k) {
+    watch.begin(problem.others[k].name);
+    problem.others[k].sum(plan, problem.blobs(), problem.points(), options.tolerance,
+                          problem.found[k]);
+  }
+  watch.end();
+  return account_of(plan, options);
+}
+
 // Sums once: the result into the problem, the time into the stopwatch.
 bench::Account sum(VelocityProblem& problem, const VelocityJob& job, Stopwatch& watch) {
   const auto phase = [&watch](std::string_view name) { watch.begin(name); };
-  return method_named(job.method)
-      .sum({problem.blobs(), problem.points(), problem.elsewhere, problem.u, problem.v},
-           job.options, phase, {.repeated = job.repeat > 1});
+  std::optional<bench::Account> account;
+  if (problem.velocities)
+    account = method_named(job.method)
+                  .sum({problem.blobs(), problem.points(), problem.elsewhere, problem.u, problem.v},
+                       job.options, phase, {.repeated = job.repeat > 1});
+  if (problem.others.empty()) return *account;
+  const bench::Account others = sum_others(problem, job, watch);
+  return account.value_or(others);
 }
 
 void blame_if_refused(const std::filesystem::path& file, const auto& check) {
@@ -101,26 +133,19 @@ Json if_any(const std::optional<Value>& value) {
   return value ? Json(*value) : Json();
 }
 
-io::ParticleFile read(const std::filesystem::path& file, io::ParticleColumns columns) {
-  const io::WhileReading reading(file);
-  return io::read_particles(file, columns);
+io::Attributes attributes_of(const VelocityProblem& problem, const VelocityJob& job,
+                             const bench::Account& account) {
+  io::Attributes about = origin_of(job.said, job.in, problem.sources.x.size());
+  about.emplace_back("method", job.method);
+  if (account.tolerance) about.emplace_back("tolerance", *account.tolerance);
+  if (!problem.elsewhere) return about;
+  about.emplace_back("targets", io::shortened(job.targets.string(), 7000));
+  return about;
 }
 
-VelocityProblem read_problem(const VelocityJob& job) {
-  using enum io::Need;
-  VelocityProblem problem;
-  problem.sources = read(job.in, {.gamma = required, .sigma = optional});
-  problem.elsewhere = !job.targets.empty();
-  if (problem.elsewhere) problem.targets = read(job.targets, {});
-  problem.u.resize(problem.points().size());
-  problem.v.resize(problem.points().size());
-  return problem;
-}
-
-void write_result(const std::filesystem::path& out, const VelocityProblem& problem) {
-  const std::array columns{io::ParticleColumn{"u", std::span<const double>(problem.u)},
-                           io::ParticleColumn{"v", std::span<const double>(problem.v)}};
-  io::write_columns(out, columns);
+void require_names(const VelocityJob& job) {
+  io::require_writable_format(job.out);
+  io::require_writable(job.out, std::array{io::file_behind(job.in), io::file_behind(job.targets)});
 }
 
 // Medians of the phases and of their sums. The four phases of a tree code come first, null where a
@@ -172,9 +197,10 @@ std::vector<std::string> velocity_methods() {
 
 VelocityReport velocity(const VelocityJob& job) {
   method_named(job.method);
+  check_quantities(job);
   Stopwatch files;
   files.begin("io");
-  io::require_writable(job.out, std::array{job.in, job.targets});
+  require_names(job);
   VelocityProblem problem = read_problem(job);
   files.end();
 
@@ -185,7 +211,7 @@ VelocityReport velocity(const VelocityJob& job) {
   if (!job.verify) warn_of_few_terms(job, account);  // which measures the error itself
 
   files.begin("io");
-  write_result(job.out, problem);
+  io::write_columns(job.out, columns_of(problem), attributes_of(problem, job, account));
   files.end();
 
   Json report;

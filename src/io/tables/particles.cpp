@@ -5,11 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <memory>
 
+#include "io/arrays/csv_file.hpp"
+#include "io/arrays/frame_file.hpp"
+#include "io/arrays/hdf5_file.hpp"
+#include "io/arrays/npy_file.hpp"
+#include "io/arrays/npz_file.hpp"
 #include "io/files.hpp"
 #include "io/frames/hdf5.hpp"
 #include "io/frames/hdf5_inside.hpp"
-#include "io/quote.hpp"
 
 namespace vortree::io {
 namespace {
@@ -18,69 +24,103 @@ namespace fs = std::filesystem;
 
 /// A column that has been looked at, but not read.
 struct FoundColumn {
-  std::string name;
-  h5::Handle set;
-  std::size_t count = 0;
+  std::string name, array;   // gamma; the array that it is a part of
+  std::uint64_t column = 0;  // of that array
+  ArrayLayout layout;
   std::vector<double>* values;
-  bool of_integers = false;
 };
 
-/// One file being read; every complaint begins with its name.
-class Reader {
+/// One file being read.
+class ColumnReader {
  public:
-  explicit Reader(const fs::path& path) : path_(path) {
-    require_regular_file(path);
-    if (!h5::is_hdf5(path)) throw InputError(path.string() + " is not an HDF5 file");
-    try {
-      file_ = h5::open_file(path);
-    } catch (const h5::Failure&) {
-      throw InputError(path.string() + " is HDF5, but damaged or cut short: it cannot be opened");
+  explicit ColumnReader(ArrayFile& file) : file_(file) {}
+
+  /// x and y, as they are, or rows of both under one name; the vectors are where read_all will put
+  /// them.
+  void find_points(std::vector<double>& x, std::vector<double>& y) {
+    if (!file_.has("y")) {
+      for (const std::string name : {"x", "points"}) {
+        if (!file_.has(name)) continue;
+        ArrayLayout rows = file_.layout(name);
+        if (name == "x" && rows.shape.size() == 1) break;  // and there is no y
+        require_pairs(name, rows);
+        add({.name = "x", .array = name, .layout = rows, .values = &x});
+        return add({.name = "y", .array = name, .column = 1, .layout = rows, .values = &y});
+      }
     }
+    find("x", Need::required, x);
+    find("y", Need::required, y);
   }
 
-  /// Looks at a column; `values` is where read_all will put it.
   void find(const std::string& name, Need need, std::vector<double>& values) {
     if (need == Need::unused) return;
-    if (!h5::has(file_, name)) {
+    if (!file_.has(name)) {
       if (need == Need::optional) return;
-      refuse(fmt::format("there is no dataset {}; the file has {}", name, what_is_there()));
+      refuse(
+          fmt::format("there is no {} {}; the file has {}", file_.noun(), name, what_is_there()));
     }
-    FoundColumn found{.name = name, .set = h5::open_dataset(file_, name), .values = &values};
-    require_line_of_numbers(found);
-    found.count = h5::believed_count(found.set, name);
-    if (!found_.empty() && found.count != found_[0].count) {
-      refuse(fmt::format("{} has {} values, but x has {}", name, found.count, found_[0].count));
-    }
-    found_.push_back(std::move(found));
+    ArrayLayout layout = file_.layout(name);
+    const bool of_all = layout.shape.empty() && (name == "sigma" || name == "reach");
+    if (!of_all) require_line(name, layout);
+    add({.name = name, .array = name, .layout = std::move(layout), .values = &values});
   }
 
   void read_all() const {
-    if (!found_.empty()) h5::require_room(found_[0].count * found_.size(), names());
+    h5::require_room(count_ * found_.size(), names());
     for (const FoundColumn& column : found_) {
-      *column.values = h5::read_dataset(column.set, column.name);
-      require(
-          column, [](double v) { return std::isfinite(v); }, "finite numbers were expected");
-      if (column.name == "sigma" || column.name == "reach") {
-        require(
-            column, [](double v) { return v >= 0; }, "it must be >= 0");
-      }
-      if (column.of_integers)
-        require(
-            column, [](double v) { return std::abs(v) < too_long; },
-            "integers of 2^53 and more are read rounded, if at all: write the column as doubles");
+      *column.values = file_.read(column.array, column.column);
+      require_good(column);
+      if (column.layout.shape.empty()) column.values->assign(count_, column.values->front());
     }
   }
 
  private:
-  [[noreturn]] static void refuse(const std::string& words) { throw h5::Failure(words); }
+  [[noreturn]] static void refuse(const std::string& words) { throw BadArray(words); }
+
+  void add(FoundColumn found) {
+    if (!found.layout.shape.empty()) {
+      const std::uint64_t count = found.layout.shape[0];
+      if (!found_.empty() && count != count_)
+        refuse(fmt::format("{} has {} values, but x has {}", found.name, count, count_));
+      count_ = count;
+    }
+    found_.push_back(std::move(found));
+  }
+
+  static void require_line(const std::string& name, const ArrayLayout& layout) {
+    if (layout.shape.size() == 1) return;
+    refuse(fmt::format("{} has {} dimensions ({}); one was expected", name, layout.shape.size(),
+                       fmt::join(layout.shape, " x ")));
+  }
+
+  static void require_pairs(const std::string& name, const ArrayLayout& layout) {
+    if (layout.shape.size() == 2 && layout.shape[1] == 2) return;
+    refuse(fmt::format("{} has {} dimensions ({}); without y, n x 2 was expected", name,
+                       layout.shape.size(), fmt::join(layout.shape, " x ")));
+  }
+
+  void require_good(const FoundColumn& column) const {
+    require(
+        column, [](double v) { return std::isfinite(v); }, "finite numbers were expected");
+    if (column.name == "sigma" || column.name == "reach")
+      require(
+          column, [](double v) { return v >= 0; }, "it must be >= 0");
+    if (column.layout.of_integers)
+      require(
+          column, [](double v) { return std::abs(v) < too_long; },
+          "integers of 2^53 and more are read rounded, if at all: write the column as doubles");
+  }
 
   template <class Holds>
-  static void require(const FoundColumn& column, Holds holds, std::string_view words) {
+  void require(const FoundColumn& column, Holds holds, std::string_view words) const {
     const std::vector<double>& values = *column.values;
     const auto bad = std::find_if_not(values.begin(), values.end(), holds);
-    if (bad != values.end()) {
-      refuse(fmt::format("{}[{}] is {}; {}", column.name, bad - values.begin(), *bad, words));
-    }
+    if (bad == values.end()) return;
+    const std::string place =
+        column.layout.shape.empty()
+            ? column.name
+            : file_.place(column.name, static_cast<std::size_t>(bad - values.begin()));
+    refuse(fmt::format("{} is {}; {}", place, *bad, words));
   }
 
   std::string names() const {
@@ -90,71 +130,91 @@ class Reader {
   }
 
   std::string what_is_there() const {
-    std::vector<std::string> found;
-    for (auto& link : h5::links(file_, most_links)) found.push_back(shortened(link.name, 40));
+    std::vector<std::string> found = file_.names(most_names);
     if (found.empty()) return "none";
-    if (found.size() == most_links) found.back() = "more";
+    if (found.size() == most_names) found.back() = "more";
     return fmt::format("{}", fmt::join(found, ", "));
   }
 
-  static void require_line_of_numbers(FoundColumn& found) {
-    const h5::Handle type(H5Dget_type(found.set));
-    const H5T_class_t kind = H5Tget_class(type);
-    if (kind != H5T_INTEGER && kind != H5T_FLOAT) {
-      refuse(fmt::format("{} does not hold numbers", found.name));
-    }
-    found.of_integers = kind == H5T_INTEGER;
-    const h5::Handle space(H5Dget_space(found.set));
-    const int dimensions = H5Sget_simple_extent_ndims(space);
-    if (dimensions == 1) return;
-    std::vector<hsize_t> shape(std::max(dimensions, 0));
-    H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-    refuse(fmt::format("{} has {} dimensions ({}); one was expected", found.name, shape.size(),
-                       fmt::join(shape, " x ")));
-  }
-
-  static constexpr hsize_t most_links = 8;
+  static constexpr std::size_t most_names = 8;
   static constexpr double too_long = 0x1p53;  // from here on doubles leave integers out
 
-  fs::path path_;
-  h5::Handle file_;
+  ArrayFile& file_;
+  std::uint64_t count_ = 0;
   std::vector<FoundColumn> found_;
 };
 
-void write_all(const fs::path& path, std::span<const ParticleColumn> columns,
-               const Attributes& about) {
-  h5::Handle file = h5::create_file(path);
-  for (const ParticleColumn& column : columns) {
-    std::visit([&](const auto& values) { h5::write(file, column.name, values); }, column.values);
+/// In the order that the rows of an .npy have.
+std::vector<std::string_view> wanted(const ParticleColumns& columns) {
+  std::vector<std::string_view> names{"x", "y"};
+  if (columns.gamma != Need::unused) names.push_back("gamma");
+  if (columns.sigma != Need::unused) names.push_back("sigma");
+  if (columns.reach != Need::unused) names.push_back("reach");
+  return names;
+}
+
+void refuse_run(const fs::path& path) {
+  std::error_code unknown;
+  if (fs::is_directory(path, unknown) && fs::exists(path / "frames.h5", unknown))
+    throw InputError(
+        fmt::format("{0} is the folder of a run; which of its frames? {0}::last, or "
+                    "{0}::0 for the first",
+                    path.string()));
+}
+
+std::unique_ptr<ArrayFile> open(const fs::path& path, const ParticleColumns& columns) {
+  if (const auto pointer = frame_pointer(path)) return open_frame(*pointer);
+  refuse_run(path);
+  const std::vector<std::string_view> names = wanted(columns);
+  switch (format_of(path)) {
+    case ParticleFormat::csv:
+      return open_csv(path, names);
+    case ParticleFormat::npy:
+      return open_npy(path, {names.begin(), names.end()});
+    case ParticleFormat::npz:
+      return open_npz(path);
+    case ParticleFormat::hdf5:
+      break;
   }
-  for (const auto& entry : about) {
-    std::visit([&](const auto& v) { h5::write_attribute(file, entry.first, v); }, entry.second);
-  }
-  h5::close_file(std::move(file), path);
+  return open_hdf5(path);
+}
+
+ParticleFile read(ArrayFile& file, const ParticleColumns& columns) {
+  ParticleFile p;
+  ColumnReader reader(file);
+  reader.find_points(p.x, p.y);
+  reader.find("gamma", columns.gamma, p.gamma);
+  reader.find("sigma", columns.sigma, p.sigma);
+  reader.find("reach", columns.reach, p.reach);
+  reader.read_all();
+  return p;
 }
 
 }  // namespace
 
-ParticleFile read_particles(const fs::path& path, ParticleColumns columns) {
-  ParticleFile p;
-  try {
-    Reader reader(path);
-    reader.find("x", Need::required, p.x);
-    reader.find("y", Need::required, p.y);
-    reader.find("gamma", columns.gamma, p.gamma);
-    reader.find("sigma", columns.sigma, p.sigma);
-    reader.find("reach", columns.reach, p.reach);
-    reader.read_all();
-  } catch (const h5::Failure& failure) {
-    throw InputError(fmt::format("{}: {}", path.string(), failure.what()));
-  }
-  return p;
+ParticleFormat format_of(const fs::path& path) {
+  const fs::path suffix = path.extension();
+  if (suffix == ".csv") return ParticleFormat::csv;
+  if (suffix == ".npy") return ParticleFormat::npy;
+  return suffix == ".npz" ? ParticleFormat::npz : ParticleFormat::hdf5;
 }
 
-void write_columns(const fs::path& path, std::span<const ParticleColumn> columns,
-                   const Attributes& about) {
-  require_writable(path);
-  h5::replace_file(path, [&](const fs::path& fresh) { write_all(fresh, columns, about); });
+fs::path file_behind(const fs::path& word) {
+  const auto pointer = frame_pointer(word);
+  return pointer ? pointer->file : word;
+}
+
+ParticleFile read_particles(const fs::path& path, ParticleColumns columns) {
+  const auto refuse = [&](const std::exception& bad) -> ParticleFile {
+    throw InputError(fmt::format("{}: {}", path.string(), bad.what()));
+  };
+  try {
+    return read(*open(path, columns), columns);
+  } catch (const h5::Failure& failure) {
+    return refuse(failure);
+  } catch (const BadArray& bad) {
+    return refuse(bad);
+  }
 }
 
 }  // namespace vortree::io

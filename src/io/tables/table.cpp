@@ -33,23 +33,28 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 
 std::optional<double> number(std::string_view text) {
   text = trimmed(text);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
 
-Table::Table(const std::filesystem::path& file) : file_(file) {
+Table::Table(const std::filesystem::path& file, std::span<const std::string_view> only)
+    : file_(file) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";  // of UTF-8, by some programs
   const std::string text = read_text(file);
   int line_number = 0;
-  for (std::string_view rest = text; !rest.empty();) {
+  std::string_view rest = text;
+  if (rest.starts_with(mark)) rest.remove_prefix(mark.size());
+  while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('\n'), rest.size());
     const std::string_view line = trimmed(rest.substr(0, end));
     rest.remove_prefix(std::min(end + 1, rest.size()));
     ++line_number;
     if (line.empty() || line.front() == '#') continue;
     if (names_.empty()) {
-      for (const std::string_view cell : cells_of(line)) names_.emplace_back(cell);
+      take_names(line, only);
     } else {
       take_row(line, line_number);
     }
@@ -57,6 +62,14 @@ Table::Table(const std::filesystem::path& file) : file_(file) {
   if (names_.empty()) {
     throw InputError(
         fmt::format("{} is empty; a line of column names was expected", file.string()));
+  }
+}
+
+void Table::take_names(std::string_view line, std::span<const std::string_view> only) {
+  for (const std::string_view cell : cells_of(line)) {
+    const bool read = only.empty() || std::ranges::find(only, cell) != only.end();
+    if (read) read_.push_back(names_.size());
+    names_.emplace_back(cell);
   }
 }
 
@@ -68,7 +81,8 @@ void Table::take_row(std::string_view line, int line_number) {
   if (cells.size() != names_.size()) {
     refuse(fmt::format("{} cells; {} columns were expected", cells.size(), names_.size()));
   }
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  lines_.push_back(line_number);
+  for (const std::size_t i : read_) {
     const auto value =
         cells[i].empty() ? std::numeric_limits<double>::quiet_NaN() : number(cells[i]);
     if (!value) {
@@ -84,14 +98,16 @@ bool Table::has(std::string_view column) const {
 }
 
 std::vector<double> Table::column(std::string_view name) const {
-  const auto found = std::find(names_.begin(), names_.end(), name);
-  if (found == names_.end()) {
+  const auto found = std::ranges::find(
+      read_, name, [&](std::size_t at) -> std::string_view { return names_[at]; });
+  if (found == read_.end()) {
     throw InputError(fmt::format("{}: there is no column {}; the file has {}", file_.string(), name,
                                  shortened(fmt::format("{}", fmt::join(names_, ", ")), 120)));
   }
-  const auto at = static_cast<std::size_t>(found - names_.begin());
+  const auto at = static_cast<std::size_t>(found - read_.begin());
   std::vector<double> values;
-  for (std::size_t i = at; i < values_.size(); i += names_.size()) values.push_back(values_[i]);
+  values.reserve(rows());
+  for (std::size_t i = at; i < values_.size(); i += read_.size()) values.push_back(values_[i]);
   return values;
 }
 
