@@ -101,6 +101,21 @@ TEST_CASE("a body that turns among others feels what it feels in axes that turn 
   }
 }
 
+TEST_CASE("a circle that spins among others feels what it feels in axes that turn with it") {
+  const double dt = 0.02;
+  const auto circle = [] { return body::circle({}, 0.5); };
+  const auto own = felt(test::coarse_flow(circle(), {.spin = {2}}, {1, 0}, 0.01, dt), 20, 0);
+  std::vector<vortex::WallBody> bodies{{circle(), 160}, {circle(), 128, {0, far}}};
+  const auto there =
+      felt(test::coarse_flow(std::move(bodies), {{.spin = {2}}, {}}, {}, {1, 0}, 0.01, dt), 20, 0);
+  // The pressure of a step acts where the wall is in its middle: left out, forces of up to 2 would
+  // be turned by rate dt/2, 0.02 rad.
+  const auto [cd, cl, cm] = off(own, there);
+  CHECK(cd < 0.01);
+  CHECK(cl < 0.01);
+  CHECK(cm < 0.002);
+}
+
 TEST_CASE("the sheet that a moving body begins with is the one of the stream that it meets") {
   const Vec2 towed{-0.8, 0.3};
   const body::Course moves =

@@ -109,10 +109,10 @@ TEST_CASE("a box holds each body wherever it goes") {
 TEST_CASE("speed and drag go by the fastest of all bodies, as all its motions add up") {
   const std::string rest = at_rest(two);
   const io::Scene against =
-      parse(rest, {"motion.x=-2*t", "body[0].motion.x=t", "body[1].motion.x=t"});
+      parse(rest, {"motion.x=\"-2*t\"", "body[0].motion.x=t", "body[1].motion.x=t"});
   CHECK(flow::speed_of(against) == Approx(1).epsilon(1e-9));
   CHECK(flow::scales_of(against).along.x == Approx(1).epsilon(1e-9));
-  const io::Scene across = parse(rest, {"body[0].motion.x=0.001*t", "body[1].motion.y=t"});
+  const io::Scene across = parse(rest, {"body[0].motion.x=\"0.001*t\"", "body[1].motion.y=t"});
   CHECK(flow::speed_of(across) == Approx(1).epsilon(1e-9));
   CHECK(flow::scales_of(across).along.y == Approx(-1).epsilon(1e-9));
 }
