@@ -6,7 +6,7 @@ them in a second column:
     /// error    at most tolerance
     ///          ... of the largest
 
-Formulas stay as they are broken, entries become titled paragraphs. Lines keep their numbers no more.
+Formulas stay as they are broken, entries become titled paragraphs; lines keep no numbers.
 """
 
 import re

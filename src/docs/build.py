@@ -2,10 +2,10 @@
 
     src/docs/build.py FOLDER        writes FOLDER/index.html and all behind it
 
-Pages are read where they stand. FOLDER/.pages has a link for each of them and for what they link to,
-so that their relative links hold; pages of headers are made of the table on src/README.md and the
-comments of the headers. A link that leads nowhere, or a page that no list of contents has, is an
-error. Nothing of the site asks the network.
+Pages are read where they stand. FOLDER/.pages has a link for each of them and for what they link
+to, so that their relative links hold; pages of headers are made of the table on src/README.md and
+the comments of the headers. A link that leads nowhere, or a page that no list of contents has, is
+an error. Nothing of the site asks the network.
 """
 
 import os
@@ -125,8 +125,8 @@ def main(site):
     read_headers(listed, xml)
     write_header_pages(pages, listed, xml)
     subprocess.run(
-        [sys.executable, "-B", "-m", "sphinx", "-q", "-W", "--keep-going", "-j", "auto", "-b", "html",
-         "-c", here, "-d", site / ".doctrees", pages, site],
+        [sys.executable, "-B", "-m", "sphinx", "-q", "-W", "--keep-going", "-j", "auto",
+         "-b", "html", "-c", here, "-d", site / ".doctrees", pages, site],
         env={**os.environ, "VORTREE_DOXYGEN": str(xml)}, check=True)
     shutil.copy(site / "README.html", site / "index.html")
 

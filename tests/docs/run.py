@@ -1,4 +1,4 @@
-"""The site of pages and headers: it can be made, asks no network, and refuses links that lead nowhere.
+"""The site of pages and headers: it is made, asks no network, refuses links that lead nowhere.
 
     tests/docs/run.py [PROJECT]
 
