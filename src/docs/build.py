@@ -1,4 +1,4 @@
-"""The pages of this project as a site: HTML by Sphinx, headers by doxygen.
+"""The pages of this project as a site: HTML by Sphinx, headers by doxygen, docstrings of Python.
 
     src/docs/build.py FOLDER        writes FOLDER/index.html and all behind it
 
@@ -95,6 +95,18 @@ def write_header_pages(pages, listed, xml):
         ["# Headers", "", "| header | for |", "|---|---|", *lines, "", toctree, ""]))
 
 
+def write_python_page(pages):
+    """All names that the package of Python has for its users."""
+    text = (root / "src/python/vortree/__init__.py").read_text()
+    names = re.findall(r'"(\w+)"', re.search(r"__all__ = \[(.*?)\]", text, re.S)[1])
+    blocks = []
+    for name in names:
+        kind, rest = ("class", ":members:\n") if name[0].isupper() else ("function", "")
+        blocks.append(f"## {name}\n\n```{{eval-rst}}\n.. auto{kind}:: vortree.{name}\n"
+                      + (f"   {rest}" if rest else "") + "```\n")
+    (pages / "src/python/names.md").write_text("\n".join(["# Names of the package", "", *blocks]))
+
+
 def read_headers(listed, xml):
     settings = f"""
         INPUT = {" ".join(f'"{root / path}"' for path, _ in listed)}
@@ -122,6 +134,7 @@ def main(site):
     pages.mkdir(parents=True)
     listed = list(headers())
     link_pages(pages)
+    write_python_page(pages)
     read_headers(listed, xml)
     write_header_pages(pages, listed, xml)
     subprocess.run(

@@ -48,6 +48,9 @@ def check_site(site):
     plan = (site / "headers/fmm_plan.html").read_text()
     for promise in ("velocity_and_gradient", "u_i = sum_j gamma_j/(2 pi)", "Carrier, Greengard"):
         assert promise in plan, promise
+    names = (site / "src/python/names.html").read_text()
+    for name in ("Neighbors.query_ball_point", "Plan.velocity", "Simulation", "Run"):
+        assert f'id="vortree.{name}"' in names, name
     index = (site / "searchindex.js").read_text()
     for word in ("quadtree", "joukowski"):
         assert word in index, word
