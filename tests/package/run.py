@@ -35,7 +35,7 @@ def check_needs(package, with_python):
     # What draws figures, and of what the program loads a library of each kind.
     wanted = {"python3", "python3-matplotlib", "python3-h5py", "libc6", "libstdc++6",
               "libfftw3-double3", "libmuparser2v5"}
-    assert wanted <= names, f"not needed: {wanted - names}"
+    assert wanted <= names, f"not among what it needs: {wanted - names}"
     assert names & {"libgomp1", "libomp5", "libomp5-14"}, f"no OpenMP, of GCC or clang: {names}"
     bounds = {need for need in needs if need.startswith("python3 (")}
     assert len(bounds) == 2 * with_python, bounds
