@@ -158,6 +158,26 @@ call "$project" ./vortree python -c 'import vortree, sys; print(vortree.built, s
 expect code $code 5
 expect out "$out" "$project/build/python/vortree/__init__.py \['a b'\]"
 
+claim "docs installs what makes the site and no compiler, makes it, and builds nothing"
+apt python3-sphinx; builders
+if ((EUID != 0)); then tool sudo 'exec "$@"'; fi
+mkdir -p "$project/src/docs"
+echo 'import sys; print(sys.argv[1:])' >"$project/src/docs/build.py"
+call "$project" ./vortree docs
+expect code $code 0
+expect out "$out" "\['$project/build/docs'\]"
+expect said "${err##*$'\n'}" "vortree: $project/build/docs/index.html"
+expect steps "$(steps)" "noninteractive * update
+noninteractive * install -y --no-install-recommends python3-myst-parser python3-breathe furo doxygen"
+
+claim "a site that cannot be made is told, and the code is 1"
+apt python3-sphinx python3-myst-parser python3-breathe furo doxygen; builders
+mkdir -p "$project/src/docs"
+echo 'import sys; sys.exit("a link leads nowhere")' >"$project/src/docs/build.py"
+call "$project" ./vortree docs
+expect code $code 1
+expect words "$err" "a link leads nowhere*the site could not be made"
+
 claim "a build that fails is shown, and nothing runs"
 apt $packages; builders
 tool ninja 'echo "[1/2] Building CXX object a.o"; echo "a.cpp:1: error: no"; exit 1'
