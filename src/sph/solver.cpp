@@ -128,14 +128,17 @@ void SphSolver::renew_forces(const Tractions& given, double took) {
   on_each_ = frame_forces();
   Vec2 impulse = force_.impulse;
   for (std::size_t k = 0; k < on_each_.size(); ++k) {
-    const Traction& own = given[k];
-    flow::Force& force = on_each_[k];
+    const Traction own = given[k];
     impulse = impulse - own.by_vorticity - own.friction;
-    force.pressure =
-        smooth_pressure_[k](1 / took * own.pressure, 1 / took * own.by_vorticity, took, memory);
-    force.friction = traction_[k].friction;
-    force.pressure_moment = 1 / took * own.pressure_moment;
-    force.friction_moment = traction_[k].friction_moment;
+    const flow::Force frame = on_each_[k];
+    on_each_[k] = {.t = frame.t,
+                   .pressure = smooth_pressure_[k](1 / took * own.pressure,
+                                                   1 / took * own.by_vorticity, took, memory),
+                   .friction = traction_[k].friction,
+                   .frame = frame.frame,
+                   .pressure_moment = 1 / took * own.pressure_moment,
+                   .friction_moment = traction_[k].friction_moment,
+                   .frame_moment = frame.frame_moment};
   }
   add_up_forces(impulse);
 }

@@ -40,16 +40,6 @@ std::vector<int> StandingBodies::nodes_of_each() const {
   return all;
 }
 
-std::size_t StandingBodies::of_node(std::int32_t node) const {
-  std::size_t k = 0;
-  while (k + 1 < size() && static_cast<std::size_t>(node) >= bodies_[k + 1].first) ++k;
-  return k;
-}
-
-Vec2 StandingBodies::wall_velocity(std::int32_t node, Vec2 at) const {
-  return empty() ? Vec2{} : bodies_[of_node(node)].wall_velocity(at);
-}
-
 const StandingBody& StandingBodies::nearest(Vec2 at) const {
   if (size() == 1) return bodies_.front();
   return *std::ranges::min_element(

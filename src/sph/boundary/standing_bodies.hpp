@@ -65,9 +65,15 @@ class StandingBodies {
   [[nodiscard]] std::vector<int> nodes_of_each() const;
 
   /// The number of the body that has this node of all.
-  [[nodiscard]] std::size_t of_node(std::int32_t node) const;
+  [[nodiscard]] std::size_t of_node(std::int32_t node) const {
+    std::size_t k = 0;
+    while (k + 1 < size() && static_cast<std::size_t>(node) >= bodies_[k + 1].first) ++k;
+    return k;
+  }
   /// Of a wall at one of its nodes; 0 without a body.
-  [[nodiscard]] Vec2 wall_velocity(std::int32_t node, Vec2 at) const;
+  [[nodiscard]] Vec2 wall_velocity(std::int32_t node, Vec2 at) const {
+    return empty() ? Vec2{} : bodies_[of_node(node)].wall_velocity(at);
+  }
 
   /// The body whose wall is nearest to a place.
   [[nodiscard]] const StandingBody& nearest(Vec2 at) const;
