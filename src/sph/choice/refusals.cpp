@@ -61,7 +61,7 @@ void refuse_initial(const SphCase& scene) {
     throw Refused("initial.centre",
                   fmt::format("initial.centre = [{:.4g}, {:.4g}] lies {}; a place in the fluid was "
                               "expected",
-                              x, y, within ? "within the body" : "outside of sph.box"));
+                              x, y, within ? "within a body" : "outside of sph.box"));
 }
 
 /// Bodies that do not stand still against each other.
