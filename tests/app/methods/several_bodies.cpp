@@ -60,9 +60,10 @@ TEST_CASE("two circles beside each other feel the same by SPH as by vortices") {
              vortex = given("vortex", {"accuracy=0.02", "time.dt=0.03"}, 0.6);
   for (const std::size_t k : {0, 1}) {
     CAPTURE(k, sph[k].x, sph[k].y, vortex[k].x, vortex[k].y);
-    // Each method is chosen for 1 to 2 % of the drag; lift is a sixth of it, and is off by as much.
-    CHECK(sph[k].x == Approx(vortex[k].x).epsilon(0.02));
-    CHECK(std::abs(sph[k].y - vortex[k].y) < 0.01 * vortex[k].x);
+    // Spacing and cores are chosen for 1 to 2 % of the drag at a time; what is given meanwhile is
+    // off by a tenth of that, drag and lift alike.
+    CHECK(sph[k].x == Approx(vortex[k].x).epsilon(0.01));
+    CHECK(std::abs(sph[k].y - vortex[k].y) < 0.005 * vortex[k].x);
     CHECK(std::abs(vortex[k].y) > 0.1 * vortex[k].x);
   }
 }
