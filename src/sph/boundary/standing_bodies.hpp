@@ -29,7 +29,7 @@ struct StandingBody {
   double spacing = 0;
   std::size_t first = 0;
 
-  /// That which a vortex in its centre has as much of as fluid that turned as it does.
+  /// Of the body, as if it were fluid that turns: that of a vortex in its centre.
   [[nodiscard]] double circulation() const { return 2 * spin * area; }
   [[nodiscard]] Vec2 wall_velocity(Vec2 at) const { return spin * left_of(at - centre); }
   [[nodiscard]] Vec2 wall_acceleration(Vec2 at) const { return -spin * spin * (at - centre); }
