@@ -23,8 +23,8 @@ namespace vortree::sph {
 /// (boundary/vorticity_force.hpp): births, splits and mergers change the impulse itself by some
 /// 1e-3 a step, of which differences in time would make a tenth of the drag.
 ///
-/// Of several bodies the force is that on all, and its moment about the centre of the first; each has
-/// its own by the same formulas, about its own centre.
+/// Of several bodies the force is that on all, and its moment about the centre of the first; each
+/// has its own by the same formulas, about its own centre.
 ///
 /// A step of dt is made of as many as the Courant number asks for, and the first beside a body of
 /// short ones, a tenth of dt and 1.2 times as long from one to the next, the last of them up to
@@ -33,9 +33,9 @@ namespace vortree::sph {
 /// columns   x, y, u, v, pressure, vorticity, spacing, kind (ParticleKind)
 /// measures  past a body: particles; circulation; impulse_x, impulse_y; second_moment, sum gamma
 ///           |X|^2 from the first body's centre; bubble_length, separation_deg as of vortices, 0 of
-///           several bodies; volume, of the particles and half the nodes' in that of the box without
-///           bodies;
-///           pressure_iterations of the last step; least_neighbors of a particle that is no node
+///           several bodies; volume, of the particles and half the nodes', in that of the box
+///           without bodies; pressure_iterations of the last step; least_neighbors of a particle
+///           that is no node
 ///           in a periodic box: particles; volume, in that of the box; momentum_x, momentum_y, in
 ///           that of all fluid at the initial speed; energy, enstrophy, velocity_error,
 ///           pressure_error (motion/periodic_flow.hpp); the last two as above

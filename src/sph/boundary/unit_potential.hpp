@@ -19,7 +19,7 @@ namespace vortree::sph {
 ///
 /// made by sources q_j/(2 pi) ln|x - x_j| on all walls, q = strength times step of the arc:
 ///
-///   strength_i/2 + sum_{j != i} q_j n_i.(x_i - x_j)/(2 pi r^2) + q_i curvature_i/(4 pi) = n_i.e or 0
+///   strength_i/2 + sum_{j != i} q_j n_i.(x_i - x_j)/(2 pi r^2) + q_i curvature_i/(4 pi) = dphi/dn
 ///
 /// The sum of the potentials of all bodies is that of all that move together. What they feel that
 /// speed up follows from them (added mass and the fluid that one displaces):

@@ -10,8 +10,8 @@ namespace vortree::sph {
 ///   spacing    5 accuracy D sqrt(20/Re), at most D/10: an error of the drag of about accuracy, as
 ///              layers beside the body are thinner by the root of Re; of several bodies the least
 ///   region.spacing   spacing
-///   levels     so many that the widest spacing is D/5 or more, D of the shortest body, if the box has room for
-///              them
+///   levels     so many that the widest spacing is D/5 or more, D of the shortest body, if the box
+///              has room for them
 ///   zone       D/2, D of the longest body, or what holds the rings
 ///   box        5 D around the body's centre, 7 D on the side to which the stream goes; how far the
 ///              body extends in place of D if that is more; around several, what holds the box of

@@ -178,7 +178,7 @@ TEST_CASE("one of two circles that moves makes the potential that its images mak
   std::vector<double> x, y;
   for (int k = 0; k < 40; ++k)
     for (const int of : {0, 1}) {
-      // Off the walls by 0.14, seven steps: the trapezoidal rule errs by exp(-14 pi); the gap is 0.45.
+      // Off the walls by 0.14, seven steps: the trapezoidal rule errs by exp(-14 pi).
       const Complex at = centre[of] + std::polar(radius[of] + 0.14, 2 * pi * k / 40);
       x.push_back(at.real()), y.push_back(at.imag());
     }
