@@ -16,8 +16,8 @@ namespace vortree::sph {
 ///   F.e = int omega (v phi_x - u phi_y) dA - nu oint omega dphi/ds ds - A.dipole
 ///
 /// with all walls in the integral along them, in the frame of bodies with the acceleration A, whose
-/// own part, area A, is still to be added (body/motion.hpp); the sum of all is the rate of change of
-/// impulse, worked out. The wall of a circle that turns adds nothing: its speed is the same all
+/// own part, area A, is still to be added (body/motion.hpp); the sum of all is the rate of change
+/// of impulse, worked out. The wall of a circle that turns adds nothing: its speed is the same all
 /// around, and the pressure p + u^2/2 of the equation presses as p does. Vorticity far away counts
 /// as 1/r^2. The layer between the wall and the first particles, which stand a spacing h off it,
 /// adds h^2/12 oint omega^2 n ds over the body's own wall to the sum over particles: along others

@@ -55,8 +55,7 @@ void start_potential_flow(Cloud& cloud, const Stencils& stencils, const Operator
   PressureSystem system;
   system.renew(cloud, stencils, fits, false);
   const std::vector<double> shares = bodies.shared(circulation);
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    add_around(cloud, shares[k], bodies[k].centre);
+  for (std::size_t k = 0; k < bodies.size(); ++k) add_around(cloud, shares[k], bodies[k].centre);
   const std::vector<double> u = cloud.u, v = cloud.v;
   std::vector<double> none(n, 0), slope(n, 0), phi(n, 0), x(n), y(n);
   for (int turn = 0; turn < (unbounded ? 4 : 1); ++turn) {
