@@ -140,7 +140,7 @@ void refuse_body(const Case& of, std::size_t number, const body::BodySettings& b
 
 void refuse_meetings(const Case& of) {
   const body::Bodies bodies = bodies_of(of);
-  for (const Meeting& one : meetings(of)) {
+  for (const NearestApproach& one : meetings(of)) {
     const double least = closest * std::min(bodies[one.first].shape->perimeter(),
                                             bodies[one.second].shape->perimeter());
     if (one.gap >= least) continue;
@@ -340,10 +340,10 @@ double radius_of(const body::Body& body) {
 
 /// Where two are nearest to each other; times at which their centres are too far apart for that are
 /// passed over.
-Meeting meeting(const body::Bodies& bodies, std::size_t a, std::size_t b, double end) {
+NearestApproach meeting(const body::Bodies& bodies, std::size_t a, std::size_t b, double end) {
   const double radii = radius_of(bodies[a]) + radius_of(bodies[b]);
   const bool moves = bodies[a].own.course.moves() || bodies[b].own.course.moves();
-  Meeting nearest{a, b, INFINITY, 0};
+  NearestApproach nearest{a, b, INFINITY, 0};
   for (int k = 0; k <= (moves ? moments : 0); ++k) {
     const double t = end * k / moments;
     const Vec2 way =
@@ -357,9 +357,9 @@ Meeting meeting(const body::Bodies& bodies, std::size_t a, std::size_t b, double
 
 }  // namespace
 
-std::vector<Meeting> meetings(const Case& of) {
+std::vector<NearestApproach> meetings(const Case& of) {
   const body::Bodies bodies = bodies_of(of);
-  std::vector<Meeting> all;
+  std::vector<NearestApproach> all;
   for (std::size_t b = 1; b < bodies.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) all.push_back(meeting(bodies, a, b, of.time.end));
   return all;

@@ -84,14 +84,14 @@ using BodyList = std::vector<std::reference_wrapper<const body::BodySettings>>;
 
 /// Where two of several bodies, first < second, are nearest to each other in a run: how far apart,
 /// negative where they overlap, and when.
-struct Meeting {
+struct NearestApproach {
   std::size_t first, second;
   double gap, time;
 };
 
 /// Of all pairs; of those that move against each other the nearest of 1000 even times.
 /// cost  0.3 ms for each time at which a pair is nearer than before
-[[nodiscard]] std::vector<Meeting> meetings(const Case& of);
+[[nodiscard]] std::vector<NearestApproach> meetings(const Case& of);
 
 /// The rectangle [x0, y0, x1, y1] that a body fills in the frame of all, wherever it goes in a run.
 [[nodiscard]] std::array<double, 4> place_of_body(const Case& of, std::size_t number);

@@ -41,17 +41,15 @@ void add_box(Cloud& cloud, const SphSetup& setup) {
   }
 }
 
-void add_body(Cloud& cloud, const SphSetup& setup) {
-  const double spacing = setup.wall_spacing;
-  const int n = static_cast<int>(std::lround(setup.shape->perimeter() / spacing));
-  std::int32_t number = 0;
-  for (const BoundaryNode& node : wall_nodes(*setup.shape, n))
+void add_body(Cloud& cloud, const StandingBody& body, int rings) {
+  auto number = static_cast<std::int32_t>(body.first);
+  for (const BoundaryNode& node : wall_nodes(*body.shape, body.nodes))
     cloud.add(node, ParticleKind::wall, number++);
-  for (int ring = 1; ring <= setup.confines.rings; ++ring)
+  for (int ring = 1; ring <= rings; ++ring)
     for (const BoundaryNode& node :
-         ring_nodes(*setup.shape, ring * spacing, spacing, ring % 2 == 0)) {
+         ring_nodes(*body.shape, ring * body.spacing, body.spacing, ring % 2 == 0)) {
       const std::size_t i = cloud.add(node, ParticleKind::ring, ring);
-      cloud.spacing[i] = std::sqrt(node.spacing * spacing);
+      cloud.spacing[i] = std::sqrt(node.spacing * body.spacing);
     }
 }
 
@@ -86,10 +84,8 @@ void add_lattice(Cloud& cloud, const SphSetup& setup) {
       squares.push_back({box.low + Vec2{(i + 0.5) * dx, (j + 0.5) * dy}, std::sqrt(dx * dy)});
   for (double s = coarsest; s > 1.5 * setup.wanted.finest(); s /= 2)
     squares = split(squares, setup.wanted);
-  const double least = (setup.confines.rings + 0.55) * setup.wall_spacing;
   for (const StartSquare& one : squares)
-    if (!setup.shape || setup.shape->beyond(one.middle, least) ||
-        setup.shape->distance(one.middle) > least)
+    if (!setup.bodies().within(one.middle, setup.confines.rings + 0.55))
       cloud.add(one.middle, one.side, ParticleKind::fluid);
 }
 
@@ -155,27 +151,30 @@ WantedSpacing wanted_of(const SphSettings& own, std::shared_ptr<const body::Shap
   return wanted;
 }
 
+StandingBodies bodies_of(const SphCase& scene) {
+  std::vector<StandingBody> all;
+  for (const body::Body& one : flow::bodies_of(scene))
+    all.push_back(stand(one.shape, scene.sph.spacing, one.centre - centre_of(scene),
+                        one.motion.spin.rate + one.own.spin.rate));
+  return StandingBodies(std::move(all));
+}
+
 SphSetup setup_of(const SphCase& scene) {
   SphSetup setup = setup_without_body(scene);
   if (!scene.body) return setup;
-  const body::Bodies bodies = flow::bodies_of(scene);
-  const body::Body& body = bodies.front();
-  const double perimeter = body.shape->perimeter();
-  setup.ambient.motion = body.motion, setup.motion_period = flow::period_of(scene);
-  setup.shape = body.shape;
-  setup.area = area_of(*body.shape);
+  setup.ambient.motion = body::motion_of(scene.plunge, scene.motion);
+  setup.motion_period = flow::period_of(scene);
+  setup.confines.bodies = bodies_of(scene), setup.confines.rings = scene.sph.rings;
   setup.initial = scene.initial;
-  setup.operators.body = body.shape.get();
-  setup.wanted = wanted_of(scene.sph, body.shape, body.centre);
-  setup.wall_spacing = perimeter / std::lround(perimeter / scene.sph.spacing);
-  setup.confines.shape = body.shape.get();
-  setup.confines.rings = scene.sph.rings, setup.confines.ring_spacing = setup.wall_spacing;
+  setup.operators.body = setup.bodies().shape().get();
+  setup.wanted = wanted_of(scene.sph, setup.bodies().shape(), setup.centre);
   return setup;
 }
 
 Cloud starting_cloud(const SphSetup& setup) {
   Cloud cloud;
-  if (setup.shape) add_box(cloud, setup), add_body(cloud, setup);
+  if (!setup.bodies().empty()) add_box(cloud, setup);
+  for (const StandingBody& one : setup.bodies()) add_body(cloud, one, setup.confines.rings);
   add_lattice(cloud, setup);
   scatter(cloud, setup.seed);
   sort(cloud);

@@ -30,21 +30,22 @@ const std::string settings_to_blame =
 SphSolver::SphSolver(SphSetup setup)
     : setup_(std::move(setup)),
       far_field_(setup_.box, edge_share * std::min(setup_.box.size().x, setup_.box.size().y),
-                 2 * setup_.ambient.motion.spin.rate * setup_.area,
-                 faintest_vortex * setup_.scales.speed * setup_.scales.length) {
+                 setup_.bodies(), faintest_vortex * setup_.scales.speed * setup_.scales.length),
+      smooth_pressure_(setup_.bodies().size()),
+      traction_(setup_.bodies().size()) {
   start();
 }
 
 void SphSolver::start() {
   cloud_ = starting_cloud(setup_);
   for (const std::uint32_t i : in_order(cloud_, ParticleKind::wall)) wall_.push_back(cloud_.at(i));
-  if (setup_.shape) by_vorticity_ = {*setup_.shape, wall_};
+  const StandingBodies& bodies = setup_.bodies();
+  if (past_bodies()) by_vorticity_ = {*bodies.shape(), wall_, bodies.nodes_of_each()};
   stencils_.renew(cloud_, setup_.operators);
   setup_.periodic ? start_periodic_flow() : start_past_body();
   look();
-  force_ = {.t = 0,
-            .impulse = far_field_.impulse(),
-            .frame = setup_.area * setup_.ambient.motion.at(0).acceleration};
+  on_each_ = frame_forces();
+  add_up_forces(far_field_.impulse());
   measure();
 }
 
@@ -52,8 +53,8 @@ void SphSolver::start_past_body() {
   // By Kelvin's theorem: no vorticity comes from nowhere.
   const double vortices =
       setup_.initial ? add_initial_vortices(cloud_, *setup_.initial, setup_.centre) : 0;
-  start_potential_flow(cloud_, stencils_, setup_.operators, setup_.ambient, setup_.far_field,
-                       -vortices);
+  start_potential_flow(cloud_, stencils_, setup_.operators, setup_.ambient, setup_.bodies(),
+                       setup_.far_field, -vortices);
 }
 
 /// As fine as its vorticity asks for, which is known where particles are.
@@ -73,7 +74,7 @@ void SphSolver::start_periodic_flow() {
 /// What follows from particles that are where they are and carry what they carry.
 void SphSolver::look() {
   find_slopes(cloud_, stencils_, slopes_);
-  if (setup_.shape) look_at_wall();
+  if (past_bodies()) look_at_wall();
 }
 
 void SphSolver::look_at_wall() {
@@ -86,7 +87,7 @@ void SphSolver::look_at_wall() {
     }
   if (substeps_ > 0) return;
   // The wall still slips: its vorticity is a sheet.
-  far_field_.add_sheet(cloud_, setup_.ambient.motion.spin.rate);
+  far_field_.add_sheet(cloud_);
   wall_vorticity_.clear();
 }
 
@@ -94,16 +95,16 @@ void SphSolver::step(const tree::Phase& phase) {
   const double end = static_cast<double>(steps_ + 1) * setup_.dt;
   const double begin = time_;
   const Checkpoint before_step = checkpoint();
-  Traction before = traction_, given{};
+  Tractions before = traction_, given(before.size());
   try {
     while (time_ < end) {
       const double left = end - time_, dt = next_dt(left);
       // All that is looked at then is of this very time, as it is where a run goes on.
       substep(dt, left - dt > 1e-9 * setup_.dt ? time_ + dt : end, phase);
-      const Traction now = traction();
+      const Tractions now = tractions();
       // There is none of an impulsive start.
       if (substeps_ == 1) before = now;
-      given += dt / 2 * (before + now);
+      for (std::size_t k = 0; k < now.size(); ++k) given[k] += dt / 2 * (before[k] + now[k]);
       before = now;
     }
   } catch (const std::bad_alloc&) {
@@ -116,19 +117,30 @@ void SphSolver::step(const tree::Phase& phase) {
   traction_ = before;
   ++steps_;
   phase("output");
-  const double took = end - begin;
-  const double memory =
-      memory_of_pressure(end, setup_.scales.length / setup_.scales.speed, 1 / setup_.motion_period);
-  force_ = {.t = end,
-            .impulse = force_.impulse - given.by_vorticity - given.friction,
-            .pressure = smooth_pressure_(1 / took * given.pressure, 1 / took * given.by_vorticity,
-                                         took, memory),
-            .friction = before.friction,
-            .frame = setup_.area * setup_.ambient.motion.at(end).acceleration,
-            .pressure_moment = 1 / took * given.pressure_moment,
-            .friction_moment = before.friction_moment,
-            .frame_moment = moment_of_frame()};
+  renew_forces(given, end - begin);
   measure();
+}
+
+/// By what a step has given each body.
+void SphSolver::renew_forces(const Tractions& given, double took) {
+  const double memory = memory_of_pressure(time(), setup_.scales.length / setup_.scales.speed,
+                                           1 / setup_.motion_period);
+  on_each_ = frame_forces();
+  Vec2 impulse = force_.impulse;
+  for (std::size_t k = 0; k < on_each_.size(); ++k) {
+    const Traction own = given[k];
+    impulse = impulse - own.by_vorticity - own.friction;
+    const flow::Force frame = on_each_[k];
+    on_each_[k] = {.t = frame.t,
+                   .pressure = smooth_pressure_[k](1 / took * own.pressure,
+                                                   1 / took * own.by_vorticity, took, memory),
+                   .friction = traction_[k].friction,
+                   .frame = frame.frame,
+                   .pressure_moment = 1 / took * own.pressure_moment,
+                   .friction_moment = traction_[k].friction_moment,
+                   .frame_moment = frame.frame_moment};
+  }
+  add_up_forces(impulse);
 }
 
 SphSolver::Checkpoint SphSolver::checkpoint() const {
@@ -188,8 +200,8 @@ void SphSolver::substep(double dt, double later, const tree::Phase& phase) {
                                  .later = later,
                                  .ambient = setup_.ambient,
                                  .far_field = setup_.far_field ? &far_field_ : nullptr,
+                                 .bodies = &setup_.bodies(),
                                  .wall_vorticity = wall_vorticity_,
-                                 .wall_spacing = setup_.wall_spacing,
                                  .tolerance = setup_.tolerance},
                                 phase);
   phase("slopes");
@@ -209,36 +221,67 @@ void SphSolver::renew_particles() {
   wrap(cloud_, period);
 }
 
-/// Of the force that drives the fluid with the body's centre: it acts on the centroid, and the
+/// What drives the fluid with the bodies' centres: it acts on the centroid of each, and the
 /// divergence of x_k x is 3 x_k.
-double SphSolver::moment_of_frame() const {
-  Vec2 arm;  // int x dA
-  for (std::size_t i = 0; i < cloud_.size(); ++i)
-    if (cloud_.kind[i] == ParticleKind::wall)
-      arm += (setup_.wall_spacing * dot(cloud_.at(i), cloud_.normal(i)) / 3) * cloud_.at(i);
-  return dot(left_of(arm), setup_.ambient.motion.at(time()).acceleration);
-}
-
-/// Force per unit density that the fluid puts on the body: int -p n + nu (grad u + grad u^T) n ds.
-SphSolver::Traction SphSolver::traction() const {
-  Traction sum{};
+std::vector<flow::Force> SphSolver::frame_forces() const {
+  const StandingBodies& bodies = setup_.bodies();
+  const Vec2 faster = setup_.ambient.motion.at(time()).acceleration;
+  std::vector<Vec2> arms(bodies.size());  // int x dA, from the centre
   for (std::size_t i = 0; i < cloud_.size(); ++i) {
     if (cloud_.kind[i] != ParticleKind::wall) continue;
-    const Vec2 n = cloud_.normal(i);
+    const std::size_t k = bodies.of_node(cloud_.place[i]);
+    const Vec2 x = cloud_.at(i) - bodies[k].centre;
+    arms[k] += (bodies[k].spacing * dot(x, cloud_.normal(i)) / 3) * x;
+  }
+  std::vector<flow::Force> each;
+  for (std::size_t k = 0; k < bodies.size(); ++k)
+    each.push_back({.t = time(),
+                    .frame = bodies[k].area * faster,
+                    .frame_moment = dot(left_of(arms[k]), faster)});
+  return each;
+}
+
+/// Those of each body; moments about the centre of the first.
+void SphSolver::add_up_forces(Vec2 impulse) {
+  force_ = on_each_.empty() ? flow::Force{.t = time()} : on_each_.front();
+  force_.impulse = impulse;
+  for (std::size_t k = 1; k < on_each_.size(); ++k) {
+    const flow::Force& one = on_each_[k];
+    const Vec2 lever = left_of(setup_.bodies()[k].centre);
+    force_.pressure += one.pressure, force_.friction += one.friction, force_.frame += one.frame;
+    force_.pressure_moment += one.pressure_moment + dot(lever, one.pressure);
+    force_.friction_moment += one.friction_moment + dot(lever, one.friction);
+    force_.frame_moment += one.frame_moment + dot(lever, one.frame);
+  }
+}
+
+std::vector<flow::Force> SphSolver::forces_on_each() const {
+  return on_each_.size() > 1 ? on_each_ : std::vector<flow::Force>{};
+}
+
+/// Force per unit density that the fluid puts on each body: int -p n + nu (grad u + grad u^T) n ds.
+SphSolver::Tractions SphSolver::tractions() const {
+  const StandingBodies& bodies = setup_.bodies();
+  Tractions sums(bodies.size());
+  for (std::size_t i = 0; i < cloud_.size(); ++i) {
+    if (cloud_.kind[i] != ParticleKind::wall) continue;
+    const std::size_t k = bodies.of_node(cloud_.place[i]);
+    const Vec2 n = cloud_.normal(i), lever = left_of(cloud_.at(i) - bodies[k].centre);
     const auto& [u, v, u_before, v_before, p] = slopes_[i];
-    const double ds = setup_.wall_spacing, shear = u.y + v.x;
+    const double ds = bodies[k].spacing, shear = u.y + v.x;
     const Vec2 push = (-ds * cloud_.p[i]) * n;
     const Vec2 rub =
         ds * setup_.ambient.nu * Vec2{2 * u.x * n.x + shear * n.y, shear * n.x + 2 * v.y * n.y};
-    sum.pressure += push;
-    sum.friction += rub;
-    sum.pressure_moment += dot(left_of(cloud_.at(i)), push);
-    sum.friction_moment += dot(left_of(cloud_.at(i)), rub);
+    sums[k].pressure += push;
+    sums[k].friction += rub;
+    sums[k].pressure_moment += dot(lever, push);
+    sums[k].friction_moment += dot(lever, rub);
   }
-  if (!wall_vorticity_.empty())
-    sum.by_vorticity = by_vorticity_(far_field_, wall_vorticity_, setup_.ambient.nu,
-                                     setup_.ambient.motion.at(time_).acceleration);
-  return sum;
+  if (wall_vorticity_.empty()) return sums;
+  const std::vector<Vec2> by_vorticity = by_vorticity_.on_each(
+      far_field_, wall_vorticity_, setup_.ambient.nu, setup_.ambient.motion.at(time_).acceleration);
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k].by_vorticity = by_vorticity[k];
+  return sums;
 }
 
 }  // namespace vortree::sph

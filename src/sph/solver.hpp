@@ -14,8 +14,8 @@
 
 namespace vortree::sph {
 
-/// A flow by incompressible SPH of variable resolution: past a body, from the potential flow of the
-/// stream around it on, or in a periodic box, from an initial flow on that fills the plane.
+/// A flow by incompressible SPH of variable resolution: past bodies, from the potential flow of the
+/// stream around them on, or in a periodic box, from an initial flow on that fills the plane.
 ///
 /// Forces are those at the wall, of the pressure without its noise (boundary/smooth_pressure.hpp);
 /// the moment, which has no other route, is of the pressure as it is.
@@ -23,20 +23,25 @@ namespace vortree::sph {
 /// (boundary/vorticity_force.hpp): births, splits and mergers change the impulse itself by some
 /// 1e-3 a step, of which differences in time would make a tenth of the drag.
 ///
+/// Of several bodies the force is that on all, and its moment about the centre of the first; each
+/// has its own by the same formulas, about its own centre.
+///
 /// A step of dt is made of as many as the Courant number asks for, and the first beside a body of
 /// short ones, a tenth of dt and 1.2 times as long from one to the next, the last of them up to
 /// twice.
 ///
 /// columns   x, y, u, v, pressure, vorticity, spacing, kind (ParticleKind)
 /// measures  past a body: particles; circulation; impulse_x, impulse_y; second_moment, sum gamma
-///           |X|^2 from the body's centre; bubble_length, separation_deg as of vortices; volume, of
-///           the particles and half the nodes' in that of the box without the body;
-///           pressure_iterations of the last step; least_neighbors of a particle that is no node
+///           |X|^2 from the first body's centre; bubble_length, separation_deg as of vortices, 0 of
+///           several bodies; volume, of the particles and half the nodes', in that of the box
+///           without bodies; pressure_iterations of the last step; least_neighbors of a particle
+///           that is no node
 ///           in a periodic box: particles; volume, in that of the box; momentum_x, momentum_y, in
 ///           that of all fluid at the initial speed; energy, enstrophy, velocity_error,
 ///           pressure_error (motion/periodic_flow.hpp); the last two as above
 /// drift     of the circulation [U D]; of the momentum, as above
-/// table     wall.csv: vorticity and pressure of each node; or energy.csv
+/// table     wall.csv: number of the body if there are several, vorticity and pressure of each
+///           node; or energy.csv
 class SphSolver final : public flow::Solver {
  public:
   explicit SphSolver(SphSetup setup);
@@ -53,8 +58,9 @@ class SphSolver final : public flow::Solver {
   flow::Columns columns() const override;
   flow::Measures measures() const override { return measures_; }
   std::optional<flow::Force> force() const override {
-    return setup_.shape ? std::optional(force_) : std::nullopt;
+    return past_bodies() ? std::optional(force_) : std::nullopt;
   }
+  std::vector<flow::Force> forces_on_each() const override;
   std::string route() const override { return "wall"; }
   double drift() const override { return drift_; }
   flow::Samples sample(tree::Points at) const override;
@@ -64,10 +70,10 @@ class SphSolver final : public flow::Solver {
   void save(flow::State& state) const override;
   void restore(long steps, const flow::Columns& columns, const flow::State& state) override;
 
-  const Cloud& cloud() const { return cloud_; }  ///< as seen from the body's centre
+  const Cloud& cloud() const { return cloud_; }  ///< as seen from the first body's centre
 
  private:
-  /// On the body; the pressure's by two routes. Moments are about the body's centre.
+  /// On a body; the pressure's by two routes. Moments are about its centre.
   struct Traction {
     Vec2 pressure{}, friction{}, by_vorticity{};
     double pressure_moment = 0, friction_moment = 0;
@@ -82,6 +88,7 @@ class SphSolver final : public flow::Solver {
     }
     Traction& operator+=(const Traction& a) { return *this = *this + a; }
   };
+  using Tractions = std::vector<Traction>;  // of each body
 
   /// What a step changes before its end.
   struct Checkpoint {
@@ -106,8 +113,11 @@ class SphSolver final : public flow::Solver {
   void measure();
   void measure_past_body();
   void measure_periodic();
-  Traction traction() const;
-  double moment_of_frame() const;
+  bool past_bodies() const { return !setup_.bodies().empty(); }
+  Tractions tractions() const;
+  std::vector<flow::Force> frame_forces() const;
+  void renew_forces(const Tractions& given, double took);
+  void add_up_forces(Vec2 impulse);
   double bubble_length() const;
   struct AmongParticles;
   AmongParticles among_particles(tree::Points at) const;
@@ -120,15 +130,16 @@ class SphSolver final : public flow::Solver {
   std::vector<Slopes> slopes_;
   BiotSavart far_field_;
   VorticityForce by_vorticity_;
-  SmoothPressure smooth_pressure_;
+  std::vector<SmoothPressure> smooth_pressure_;  // of each body
   Momentum momentum_;
   std::vector<Vec2> wall_;  // its nodes
   std::vector<double> wall_vorticity_, wall_pressure_;
   double time_ = 0, last_dt_ = 0;
   long steps_ = 0, substeps_ = 0;
   Iterations iterations_;
-  Traction traction_;  // now
-  flow::Force force_;
+  Tractions traction_;  // now
+  std::vector<flow::Force> on_each_;
+  flow::Force force_;  // on all
   flow::Measures measures_;
   double drift_ = 0;
 };

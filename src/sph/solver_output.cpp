@@ -14,7 +14,8 @@ namespace vortree::sph {
 
 /// Length of the closed wake; by the particles near its line only.
 double SphSolver::bubble_length() const {
-  const flow::WakeLine line = flow::wake_line(wall_, *setup_.shape, setup_.ambient.steady);
+  const flow::WakeLine line =
+      flow::wake_line(wall_, *setup_.bodies().shape(), setup_.ambient.steady);
   const Vec2 along = line.direction, across{-along.y, along.x};
   std::vector<std::uint32_t> near;
   for (std::size_t i = 0; i < cloud_.size(); ++i)
@@ -25,7 +26,7 @@ double SphSolver::bubble_length() const {
 }
 
 void SphSolver::measure() {
-  setup_.shape ? measure_past_body() : measure_periodic();
+  past_bodies() ? measure_past_body() : measure_periodic();
 }
 
 void SphSolver::measure_periodic() {
@@ -48,7 +49,7 @@ void SphSolver::measure_periodic() {
 void SphSolver::measure_past_body() {
   const flow::Scales& scales = setup_.scales;
   const double circulation = far_field_.circulation();
-  double volume = -setup_.area;
+  double volume = -setup_.bodies().area();
   const Vec2 box = setup_.box.size();
   double filled = 0;
   std::size_t least = cloud_.size();
@@ -59,8 +60,8 @@ void SphSolver::measure_past_body() {
   volume += box.x * box.y;
   const Vec2 moment = far_field_.impulse();
   const Ambient& ambient = setup_.ambient;
-  const bool wake =
-      dot(ambient.steady, ambient.steady) > 0 && !ambient.motion.moves() && steps_ > 0;
+  const bool wake = setup_.bodies().size() == 1 && dot(ambient.steady, ambient.steady) > 0 &&
+                    !ambient.motion.moves() && steps_ > 0;
   measures_ = {{"particles", "", static_cast<double>(cloud_.size())},
                {"circulation", "L^2/T", circulation},
                {"impulse_x", "L^3/T", moment.x},
@@ -117,11 +118,11 @@ SphSolver::AmongParticles SphSolver::among_particles(tree::Points at) const {
 flow::Samples SphSolver::sample(tree::Points at) const {
   auto [x, y, found] = among_particles(at);
   auto& [u, v, omega, p, covered] = found;
-  if (!setup_.shape) return {std::move(u), std::move(v), std::move(omega)};
+  if (!past_bodies()) return {std::move(u), std::move(v), std::move(omega)};
   std::vector<double> far_x, far_y;
   std::vector<std::size_t> far;
   for (std::size_t k = 0; k < x.size(); ++k) {
-    const bool body = setup_.shape->distance({x[k], y[k]}) < 0;
+    const bool body = setup_.bodies().shape()->distance({x[k], y[k]}) < 0;
     if (body) u[k] = v[k] = omega[k] = 0;
     if (!body && !covered[k]) far.push_back(k), far_x.push_back(x[k]), far_y.push_back(y[k]);
   }
@@ -141,13 +142,13 @@ double SphSolver::head_beyond_vorticity(Vec2 at) const {
   double sum = 0;
   for (std::size_t j = 0; j < all.x.size(); ++j)
     sum += all.gamma[j] * dipole({all.v[j], -all.u[j]}, at - Vec2{all.x[j], all.y[j]});
-  const double rate = setup_.ambient.motion.spin.rate;
   for (std::size_t i = 0; i < cloud_.size(); ++i) {
     if (cloud_.kind[i] != ParticleKind::wall) continue;
-    const Vec2 x = cloud_.at(i), n = cloud_.normal(i);
-    const double mu = cloud_.p[i] + rate * rate / 2 * dot(x, x),
+    const StandingBody& body = setup_.bodies()[setup_.bodies().of_node(cloud_.place[i])];
+    const Vec2 x = cloud_.at(i), n = cloud_.normal(i), lever = x - body.centre;
+    const double mu = cloud_.p[i] + body.spin * body.spin / 2 * dot(lever, lever),
                  lambda = setup_.ambient.nu * wall_vorticity_[cloud_.place[i]];
-    sum += setup_.wall_spacing * dipole(mu * n - lambda * left_of(n), at - x);
+    sum += body.spacing * dipole(mu * n - lambda * left_of(n), at - x);
   }
   return sum;
 }
@@ -174,14 +175,14 @@ double SphSolver::far_pressure() const {
 /// None of an impulsive start, nor where the places reach beyond the particles. In a periodic box
 /// its mean is 0.
 std::vector<double> SphSolver::pressure(tree::Points at) const {
-  if (setup_.shape && steps_ == 0) return {};
+  if (past_bodies() && steps_ == 0) return {};
   auto [x, y, found] = among_particles(at);
   std::vector<double>& p = found.p;
-  if (!setup_.shape) return std::move(p);
+  if (!past_bodies()) return std::move(p);
   const double far = far_pressure();
   const Vec2 faster = setup_.ambient.motion.at(time()).acceleration;
   for (std::size_t k = 0; k < p.size(); ++k) {
-    const bool body = setup_.shape->distance({x[k], y[k]}) < 0;
+    const bool body = setup_.bodies().shape()->distance({x[k], y[k]}) < 0;
     if (!body && !found.covered[k]) return {};
     p[k] = body ? 0 : p[k] - dot(faster, {x[k], y[k]}) - far;
   }
@@ -189,21 +190,26 @@ std::vector<double> SphSolver::pressure(tree::Points at) const {
 }
 
 flow::FrameTable SphSolver::frame_table() const {
-  if (!setup_.shape) return {"energy.csv", {"t", "energy", "enstrophy"}};
-  return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "pressure"}};
+  if (!past_bodies()) return {"energy.csv", {"t", "energy", "enstrophy"}};
+  if (setup_.bodies().size() == 1)
+    return {"wall.csv", {"t", "T", "angle_deg", "vorticity", "pressure"}};
+  return {"wall.csv", {"t", "T", "body", "angle_deg", "vorticity", "pressure"}};
 }
 
 std::vector<double> SphSolver::frame_rows() const {
-  if (!setup_.shape)
+  if (!past_bodies())
     return {time(), flow::measured(measures_, "energy"), flow::measured(measures_, "enstrophy")};
   std::vector<double> rows;
   if (steps_ == 0) return rows;  // the wall vorticity of an impulsive start is infinite
+  const StandingBodies& bodies = setup_.bodies();
   const Vec2 s = setup_.scales.along;
   for (std::size_t k = 0; k < wall_.size(); ++k) {
-    const Vec2 d = wall_[k];
+    const std::size_t body = bodies.of_node(static_cast<std::int32_t>(k));
+    const Vec2 d = wall_[k] - bodies[body].centre;
     const double angle = std::atan2(s.x * d.y - s.y * d.x, dot(s, d)) * 180 / std::numbers::pi;
-    rows.insert(rows.end(),
-                {time(), setup_.scales.T(time()), angle, wall_vorticity_[k], wall_pressure_[k]});
+    rows.insert(rows.end(), {time(), setup_.scales.T(time())});
+    if (bodies.size() > 1) rows.push_back(static_cast<double>(body + 1));
+    rows.insert(rows.end(), {angle, wall_vorticity_[k], wall_pressure_[k]});
   }
   return rows;
 }

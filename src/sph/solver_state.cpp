@@ -11,6 +11,26 @@ constexpr std::pair<const char*, std::vector<double> Cloud::*> hidden[] = {
     {"x_in_flow", &Cloud::x},       {"y_in_flow", &Cloud::y}, {"u_before", &Cloud::u_before},
     {"v_before", &Cloud::v_before}, {"normal_x", &Cloud::nx}, {"normal_y", &Cloud::ny}};
 
+/// Pairs of numbers of each body, saved one after another.
+struct SavedPair {
+  const char* name;
+  double& (*first)(flow::Force&, SmoothPressure&);
+  double& (*second)(flow::Force&, SmoothPressure&);
+};
+constexpr SavedPair of_bodies[] = {
+    {"pressure_apart", [](flow::Force&, SmoothPressure& p) -> double& { return p.mean.x; },
+     [](flow::Force&, SmoothPressure& p) -> double& { return p.mean.y; }},
+    {"mean_pressure_apart",
+     [](flow::Force&, SmoothPressure& p) -> double& { return p.mean_of_means.x; },
+     [](flow::Force&, SmoothPressure& p) -> double& { return p.mean_of_means.y; }},
+    {"mean_pressure_force", [](flow::Force& f, SmoothPressure&) -> double& { return f.pressure.x; },
+     [](flow::Force& f, SmoothPressure&) -> double& { return f.pressure.y; }},
+    {"friction", [](flow::Force& f, SmoothPressure&) -> double& { return f.friction.x; },
+     [](flow::Force& f, SmoothPressure&) -> double& { return f.friction.y; }},
+    {"moments", [](flow::Force& f, SmoothPressure&) -> double& { return f.pressure_moment; },
+     [](flow::Force& f, SmoothPressure&) -> double& { return f.friction_moment; }},
+};
+
 }  // namespace
 
 void SphSolver::save(flow::State& state) const {
@@ -27,12 +47,16 @@ void SphSolver::save(flow::State& state) const {
   state["largest_drift"] = {drift_};
   state["pressure_iterations"] = {static_cast<double>(iterations_.pressure)};
   state["impulse_given"] = {force_.impulse.x, force_.impulse.y};
-  state["pressure_apart"] = {smooth_pressure_.mean.x, smooth_pressure_.mean.y};
-  state["mean_pressure_apart"] = {smooth_pressure_.mean_of_means.x,
-                                  smooth_pressure_.mean_of_means.y};
-  state["mean_pressure_force"] = {force_.pressure.x, force_.pressure.y};
-  state["friction"] = {force_.friction.x, force_.friction.y};
-  state["moments"] = {force_.pressure_moment, force_.friction_moment};
+  std::vector<flow::Force> forces = on_each_;
+  std::vector<SmoothPressure> pressures = smooth_pressure_;
+  for (const auto& [name, first, second] : of_bodies) {
+    std::vector<double>& values = state[name];
+    values.clear();
+    for (std::size_t k = 0; k < forces.size(); ++k) {
+      values.push_back(first(forces[k], pressures[k]));
+      values.push_back(second(forces[k], pressures[k]));
+    }
+  }
 }
 
 void SphSolver::restore(long steps, const flow::Columns& columns, const flow::State& state) {
@@ -62,19 +86,18 @@ void SphSolver::restore(long steps, const flow::Columns& columns, const flow::St
   substeps_ = static_cast<long>(flow::saved_number(state, "substeps"));
   drift_ = flow::saved_number(state, "largest_drift");
   iterations_.pressure = static_cast<int>(flow::saved_number(state, "pressure_iterations"));
-  smooth_pressure_.mean = saved_pair("pressure_apart");
-  smooth_pressure_.mean_of_means = saved_pair("mean_pressure_apart");
   stencils_.renew(cloud_, setup_.operators);
   look();
-  traction_ = traction();
-  force_ = {.t = time(),
-            .impulse = saved_pair("impulse_given"),
-            .pressure = saved_pair("mean_pressure_force"),
-            .friction = saved_pair("friction"),
-            .frame = setup_.area * setup_.ambient.motion.at(time()).acceleration,
-            .pressure_moment = saved_pair("moments").x,
-            .friction_moment = saved_pair("moments").y,
-            .frame_moment = moment_of_frame()};
+  traction_ = tractions();
+  on_each_ = frame_forces();
+  for (const auto& [name, first, second] : of_bodies) {
+    const std::vector<double>& values = flow::saved(state, name);
+    for (std::size_t k = 0; k < on_each_.size(); ++k) {
+      first(on_each_[k], smooth_pressure_[k]) = values.at(2 * k);
+      second(on_each_[k], smooth_pressure_[k]) = values.at(2 * k + 1);
+    }
+  }
+  add_up_forces(saved_pair("impulse_given"));
   measure();
 }
 

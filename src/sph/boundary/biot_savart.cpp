@@ -31,7 +31,8 @@ void BiotSavart::renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Ve
                        Vec2 stream) {
   for (std::vector<double>* column : {&all_.x, &all_.y, &all_.gamma, &all_.sigma, &all_.u, &all_.v})
     column->clear();
-  if (spin_ != 0) add({}, {}, spin_, 0);
+  for (const StandingBody& one : bodies_)
+    if (one.spin != 0) add(one.centre, {}, one.circulation(), 0);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] >= ParticleKind::outer || beside_box(box_, cloud.at(i), margin_, steady))
       continue;
@@ -47,10 +48,11 @@ void BiotSavart::renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Ve
     add(cloud.at(outlet[k]) + 0.5 * travelled, stream, leaving[k], spacing);
 }
 
-void BiotSavart::add_sheet(const Cloud& cloud, double rate) {
+void BiotSavart::add_sheet(const Cloud& cloud) {
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] != ParticleKind::wall) continue;
-    const Vec2 n = cloud.normal(i), slip = cloud.velocity(i) - rate * Vec2{-cloud.y[i], cloud.x[i]};
+    const Vec2 n = cloud.normal(i),
+               slip = cloud.velocity(i) - bodies_.wall_velocity(cloud.place[i], cloud.at(i));
     add(cloud.at(i), {}, dot(slip, {-n.y, n.x}) * cloud.spacing[i], cloud.spacing[i]);
   }
 }

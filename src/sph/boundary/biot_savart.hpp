@@ -2,17 +2,19 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fmm/plan.hpp"
 #include "sph/boundary/outer_box.hpp"
+#include "sph/boundary/standing_bodies.hpp"
 #include "sph/cloud/cloud.hpp"
 #include "sph/operators/derivatives.hpp"
 
 namespace vortree::sph {
 
 /// The vorticity of a flow as point vortices: those of the particles, and of the wake that has left
-/// the box, which drifts on with the stream. The velocity outside of a body at rest in unbounded
+/// the box, which drifts on with the stream. The velocity outside of bodies at rest in unbounded
 /// fluid follows from it alone:
 ///
 ///   u(x) = U + 1/(2 pi) sum_j gamma_j (-(y - y_j), x - x_j)/|x - x_j|^2,   gamma_j = V_j omega_j
@@ -29,10 +31,10 @@ class BiotSavart {
   BiotSavart() = default;
 
   /// margin    beside sides without an outlet, within which nothing counts [L]
-  /// spin      circulation of a body that turns, about the origin [L^2/T]
+  /// bodies    whose walls have nodes; those that turn have a circulation, about their centres
   /// faintest  vortices of less circulation do not count [L^2/T]
-  BiotSavart(const OuterBox& box, double margin, double spin, double faintest)
-      : box_(box), margin_(margin), spin_(spin), faintest_(faintest) {}
+  BiotSavart(const OuterBox& box, double margin, StandingBodies bodies, double faintest)
+      : box_(box), margin_(margin), bodies_(std::move(bodies)), faintest_(faintest) {}
 
   /// Where vortices are and how they move, as seen from the box; what has left, with the stream.
   struct Vortices {
@@ -46,9 +48,7 @@ class BiotSavart {
   void renew(const Cloud& cloud, const std::vector<Slopes>& slopes, Vec2 steady, Vec2 stream);
 
   /// And the sheet of a wall that slips: (u - u_wall).t ds at each node.
-  ///
-  /// rate    at which the body turns about the origin, anticlockwise [1/T]
-  void add_sheet(const Cloud& cloud, double rate);
+  void add_sheet(const Cloud& cloud);
 
   /// What has left drifts on, and what flows out of the outlet in a step follows,
   ///
@@ -85,7 +85,9 @@ class BiotSavart {
   [[nodiscard]] fmm::Plan plan(std::size_t targets, std::span<const double> cores) const;
 
   OuterBox box_{};
-  double margin_ = 0, spin_ = 0, faintest_ = 0;
+  double margin_ = 0;
+  StandingBodies bodies_;
+  double faintest_ = 0;
   Vortices all_;
 };
 

@@ -18,10 +18,7 @@ bool beyond_box(const Cloud& cloud, std::size_t i, const Confines& confines) {
 }
 
 bool among_rings(const Cloud& cloud, std::size_t i, const Confines& confines) {
-  if (!confines.shape) return false;
-  const double least = (confines.rings + least_beyond_rings) * confines.ring_spacing;
-  return !confines.shape->beyond(cloud.at(i), least) &&
-         confines.shape->distance(cloud.at(i)) < least;
+  return confines.bodies.within(cloud.at(i), confines.rings + least_beyond_rings);
 }
 
 bool crowded(const Population& population, std::size_t i) {
@@ -50,7 +47,7 @@ std::vector<BirthPlace> places(const Cloud& cloud, std::size_t old, const Confin
     const bool edge = cloud.kind[i] >= ParticleKind::outer && !corner(confines.box, cloud.at(i));
     const bool ring = cloud.kind[i] == ParticleKind::ring && cloud.place[i] == confines.rings;
     if (edge) found.push_back({i, birth_depth * cloud.spacing[i] * cloud.normal(i)});
-    if (ring) found.push_back({i, confines.ring_spacing * cloud.normal(i)});
+    if (ring) found.push_back({i, confines.bodies.nearest(cloud.at(i)).spacing * cloud.normal(i)});
   }
   return found;
 }

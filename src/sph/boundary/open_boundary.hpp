@@ -1,21 +1,18 @@
 #pragma once
 
-#include "body/shape.hpp"
 #include "sph/adapt/population.hpp"
 #include "sph/boundary/outer_box.hpp"
+#include "sph/boundary/standing_bodies.hpp"
 
 namespace vortree::sph {
 
-/// Where particles may be: in the box, and farther from the body than its rings.
+/// Where particles may be: in the box, and farther from bodies than their rings.
 ///
-/// shape        nothing without a body
-/// rings        how many
-/// ring_spacing their distance from each other
+/// rings  beside each body, as far apart as nodes of its wall
 struct Confines {
   OuterBox box;
-  const body::Shape* shape = nullptr;
+  StandingBodies bodies{};
   int rings = 0;
-  double ring_spacing = 0;
 };
 
 /// Takes particles away that have come nearer than 0.35 s to the outer boundary, or than 0.45

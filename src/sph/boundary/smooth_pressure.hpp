@@ -21,12 +21,7 @@ namespace vortree::sph {
 class SmoothPressure {
  public:
   /// The mean of a step of dt.
-  Vec2 operator()(Vec2 pressure, Vec2 by_vorticity, double dt, double memory) {
-    const double share = dt < memory ? dt / memory : 1;
-    mean += share * (pressure - by_vorticity - mean);
-    mean_of_means += share * (mean - mean_of_means);
-    return by_vorticity + 2 * mean - mean_of_means;
-  }
+  Vec2 operator()(Vec2 pressure, Vec2 by_vorticity, double dt, double memory);
 
   Vec2 mean{}, mean_of_means{};  // to be saved
 };

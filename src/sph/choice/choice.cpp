@@ -10,10 +10,10 @@
 namespace vortree::sph {
 namespace {
 
-/// 5 times its extent around the body, and 7 on the side to which the stream goes.
-std::array<double, 4> usual_box(const flow::Case& of) {
-  const double d = extent_of(*of.body);
-  const auto [x, y] = of.body->centre;
+/// 5 times its extent around a body, and 7 on the side to which the stream goes.
+std::array<double, 4> box_around(const body::BodySettings& body, const flow::Case& of) {
+  const double d = extent_of(body);
+  const auto [x, y] = body.centre;
   const auto [u, v] = of.flow.stream;
   std::array<double, 4> box{x - 5 * d, y - 5 * d, x + 5 * d, y + 5 * d};
   if (u == 0 && v == 0) return box;
@@ -25,15 +25,30 @@ std::array<double, 4> usual_box(const flow::Case& of) {
   return box;
 }
 
+/// What holds those of all bodies.
+std::array<double, 4> usual_box(const flow::Case& of) {
+  std::array<double, 4> all = box_around(*of.body, of);
+  for (const body::BodySettings& one : flow::every_body(of)) {
+    const auto [x0, y0, x1, y1] = box_around(one, of);
+    all = {std::min(all[0], x0), std::min(all[1], y0), std::max(all[2], x1), std::max(all[3], y1)};
+  }
+  return all;
+}
+
 int usual_levels(double spacing, double length) {
   return 1 + std::clamp(static_cast<int>(std::ceil(std::log2(length / 5 / spacing) - 0.01)), 0, 11);
 }
 
-/// In lengths of the body.
+/// What the layers of all bodies want.
 double fitting_spacing(const flow::Case& of, double accuracy) {
-  const double speed = flow::fastest_of(of), length = body::length_of(*of.body);
-  const double reynolds = speed * length / of.flow.nu;
-  return std::min(5 * accuracy * std::min(1.0, std::sqrt(20 / reynolds)), 0.1);
+  double least = INFINITY;
+  for (const body::BodySettings& one : flow::every_body(of)) {
+    const double length = body::length_of(one);
+    const double reynolds = flow::fastest_of(of) * length / of.flow.nu;
+    const double own = std::min(5 * accuracy * std::min(1.0, std::sqrt(20 / reynolds)), 0.1);
+    least = std::min(least, own * length);
+  }
+  return least;
 }
 
 /// Fits of degree 4 and sums want more neighbors.
@@ -83,11 +98,11 @@ void choose_missing(flow::Case& of, SphSettings& own, const flow::Written& writt
   if (const auto periodic = flow::periodic_flow_of(of))
     return choose_periodic(of, *periodic, own, written);
   if (!of.body) return;
-  const double length = body::length_of(*of.body);
-  if (open("spacing") && of.accuracy) own.spacing = fitting_spacing(of, *of.accuracy) * length;
+  const auto [shortest, longest] = lengths_of(of);
+  if (open("spacing") && of.accuracy) own.spacing = fitting_spacing(of, *of.accuracy);
   complete_spacing(own);
-  if (open("levels")) own.levels = usual_levels(own.spacing, length);
-  if (open("zone")) own.zone = std::max(length / 2, own.rings * own.spacing);
+  if (open("levels")) own.levels = usual_levels(own.spacing, shortest);
+  if (open("zone")) own.zone = std::max(longest / 2, own.rings * own.spacing);
   if (open("box")) own.box = usual_box(of);
   while (open("levels") && own.levels > 1 && beyond_box({of, own})) --own.levels;
   choose_step(of, own, flow::fastest_of(of), written);

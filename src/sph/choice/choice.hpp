@@ -8,12 +8,14 @@ namespace vortree::sph {
 /// Fills in what is not written, D the size of the body:
 ///
 ///   spacing    5 accuracy D sqrt(20/Re), at most D/10: an error of the drag of about accuracy, as
-///              layers beside the body are thinner by the root of Re
+///              layers beside the body are thinner by the root of Re; of several bodies the least
 ///   region.spacing   spacing
-///   levels     so many that the widest spacing is D/5 or more, if the box has room for them
-///   zone       D/2, or what holds the rings
+///   levels     so many that the widest spacing is D/5 or more, D of the shortest body, if the box
+///              has room for them
+///   zone       D/2, D of the longest body, or what holds the rings
 ///   box        5 D around the body's centre, 7 D on the side to which the stream goes; how far the
-///              body extends in place of D if that is more
+///              body extends in place of D if that is more; around several, what holds the box of
+///              each
 ///   reach      2.8 spacings with degree 2, 3.9 with degree 4 and pair sums
 ///   time.dt    courant of the finest spacings at the greatest speed
 ///

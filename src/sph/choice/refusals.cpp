@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/rounded.hpp"
@@ -45,10 +46,6 @@ void refuse_outside(const SphCase& scene) {
                               "fills the plane, as \"taylor_green\"{}",
                               scene.body ? ", and no [body]" : ""));
   if (!fills && !scene.body) throw Refused("method", "method is \"sph\", which needs a [body]");
-  if (!scene.others.empty())
-    throw Refused("method", fmt::format("method is \"sph\", which computes around a single body; "
-                                        "the scene has {}",
-                                        1 + scene.others.size()));
 }
 
 /// Vortices begin where fluid is, and is computed.
@@ -57,11 +54,28 @@ void refuse_initial(const SphCase& scene) {
   const auto [x, y] = scene.initial->centre;
   const auto [x0, y0, x1, y1] = *scene.sph.box;
   const bool within = x > x0 && x < x1 && y > y0 && y < y1;
-  if (body::covers(*scene.body, scene.initial->centre) || !within)
+  const bool covered = std::ranges::any_of(
+      flow::every_body(scene),
+      [&](const body::BodySettings& one) { return body::covers(one, scene.initial->centre); });
+  if (covered || !within)
     throw Refused("initial.centre",
                   fmt::format("initial.centre = [{:.4g}, {:.4g}] lies {}; a place in the fluid was "
                               "expected",
-                              x, y, within ? "within the body" : "outside of sph.box"));
+                              x, y, within ? "within a body" : "outside of sph.box"));
+}
+
+/// Bodies that do not stand still against each other.
+void refuse_own_motions(const SphCase& scene) {
+  const flow::BodyList bodies = flow::every_body(scene);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const std::optional<body::MotionSettings>& own = bodies[k].get().motion;
+    if (own && own->course.moves())
+      throw Refused(flow::key_of_body(scene, k, "motion"),
+                    fmt::format("[body.motion] moves body[{}] against the others; SPH computes "
+                                "around bodies that stand still against each other, or spin in "
+                                "their places, method = \"vortex\" moves them, too",
+                                k));
+  }
 }
 
 void refuse_flow(const SphCase& scene) {
@@ -72,6 +86,7 @@ void refuse_flow(const SphCase& scene) {
     throw Refused("motion",
                   "motion.angle turns the body; SPH moves it along only, method = "
                   "\"vortex\" turns it, too");
+  refuse_own_motions(scene);
   if (plunges_upstream(scene))
     throw Refused(
         scene.plunge ? "plunge" : "motion",
@@ -96,8 +111,9 @@ void refuse_operators(const SphSettings& own) {
 
 void refuse_spacing(const SphCase& scene) {
   const SphSettings& own = scene.sph;
-  const double length = body::length_of(*scene.body), thickness = thickness_of(*scene.body);
-  const double most = std::min(length / 5, thickness / 2);
+  double most = INFINITY;
+  for (const body::BodySettings& one : flow::every_body(scene))
+    most = std::min({most, body::length_of(one) / 5, thickness_of(one) / 2});
   if (own.spacing > most)
     throw Refused("sph.spacing",
                   fmt::format("sph.spacing is {}; {} at most was expected: a fifth of the body's "
@@ -110,13 +126,24 @@ void refuse_spacing(const SphCase& scene) {
                               own.zone, own.rings, rounded_up(own.rings * own.spacing, 3)));
 }
 
-void refuse_box(const SphCase& scene) {
+/// Between the rings of two bodies there must be two rows of particles that go with the flow.
+void refuse_gap(const SphCase& scene) {
+  const SphSettings& own = scene.sph;
+  const double gap = gap_of(scene), spacings = 2 * own.rings + 3;
+  if (gap < spacings * own.spacing)
+    throw Refused("sph.spacing",
+                  fmt::format("sph.spacing is {}; the gap of {:.3g} between two bodies must hold "
+                              "the {} rings of particles beside each and two rows between them: {} "
+                              "at most, or fewer sph.rings, was expected",
+                              own.spacing, gap, own.rings, rounded_down(gap / spacings, 3)));
+}
+
+void refuse_room(const SphCase& scene, const body::BodySettings& body) {
   const SphSettings& own = scene.sph;
   const auto [x0, y0, x1, y1] = *own.box;
-  const double coarsest = own.spacing * std::exp2(own.levels - 1);
-  const auto [half_x, half_y] = body::half_extent(*scene.body);
-  const auto [x, y] = scene.body->centre;
-  const double room = (own.rings + 2) * own.spacing + 2 * coarsest;
+  const auto [half_x, half_y] = body::half_extent(body);
+  const auto [x, y] = body.centre;
+  const double room = (own.rings + 2) * own.spacing + 2 * coarsest_of(own);
   if (!(x0 < x - half_x - room && x1 > x + half_x + room && y0 < y - half_y - room &&
         y1 > y + half_y + room))
     throw Refused("sph.box",
@@ -124,6 +151,12 @@ void refuse_box(const SphCase& scene) {
                               "was expected, for its rings and two of the widest "
                               "spacings",
                               x0, y0, x1, y1, rounded_up(room, 3)));
+}
+
+void refuse_box(const SphCase& scene) {
+  const SphSettings& own = scene.sph;
+  for (const body::BodySettings& one : flow::every_body(scene)) refuse_room(scene, one);
+  const double coarsest = coarsest_of(own);
   if (spacing_at_box(scene) < 0.5 * coarsest)
     throw Refused(
         "sph.levels",
@@ -193,7 +226,7 @@ void refuse_senseless(const SphCase& scene) {
   if (periodic(scene))
     refuse_periodic(scene);
   else
-    refuse_spacing(scene), refuse_box(scene);
+    refuse_spacing(scene), refuse_gap(scene), refuse_box(scene);
   refuse_regions(scene);
 }
 

@@ -20,9 +20,16 @@ bool exceeds(double spacing, double widest) {
   return spacing > widest * (1 + 1e-5);
 }
 
+/// The least of all bodies.
+double least_of(const SphCase& scene, const auto& of) {
+  double least = INFINITY;
+  for (const body::BodySettings& one : flow::every_body(scene)) least = std::min(least, of(one));
+  return least;
+}
+
 /// A layer of the thickness D/sqrt(Re) wants three spacings.
 void doubt_spacing(flow::Warnings& list, const SphCase& scene) {
-  const double length = body::length_of(*scene.body);
+  const double length = lengths_of(scene).shortest;
   const double reynolds = flow::fastest_of(scene) * length / scene.flow.nu;
   const double widest = length / std::sqrt(reynolds) / 3;
   if (exceeds(scene.sph.spacing, widest))
@@ -34,13 +41,23 @@ void doubt_spacing(flow::Warnings& list, const SphCase& scene) {
 
 /// Less than two rows of neighbors fit beside each other in the body.
 void doubt_thickness(flow::Warnings& list, const SphCase& scene) {
-  const double thickness = thickness_of(*scene.body), widest = thickness / 4;
+  const double thickness = least_of(scene, thickness_of), widest = thickness / 4;
   if (exceeds(scene.sph.spacing, widest))
     list.push_back(
         fmt::format("sph.spacing = {:.6g}: the body is {:.2g} thick in the mean, and particles on "
                     "both sides of "
                     "it would feel each other; {} or less is wanted",
                     scene.sph.spacing, thickness, rounded_down(widest, 2)));
+}
+
+/// Flow between two walls wants ten particles across.
+void doubt_gap(flow::Warnings& list, const SphCase& scene) {
+  const double gap = gap_of(scene), widest = gap / 10;
+  if (exceeds(scene.sph.spacing, widest))
+    list.push_back(fmt::format(
+        "sph.spacing = {:.6g}: the gap of {:.2g} between two bodies is only {:.2g} particles wide; "
+        "{} or less is wanted",
+        scene.sph.spacing, gap, gap / scene.sph.spacing, rounded_down(widest, 2)));
 }
 
 void doubt_motion(flow::Warnings& list, const SphSettings& own) {
@@ -66,7 +83,7 @@ void doubt_step(flow::Warnings& list, const SphCase& scene, double speed) {
 
 /// A particle as wide as that sees the body as one of its neighbors.
 void doubt_levels(flow::Warnings& list, const SphCase& scene) {
-  const double length = body::length_of(*scene.body), coarsest = coarsest_of(scene.sph);
+  const double length = lengths_of(scene).shortest, coarsest = coarsest_of(scene.sph);
   if (scene.sph.levels > 1 && coarsest > length / 2)
     list.push_back(
         fmt::format("sph.levels = {}: the widest particles are {:.3g} apart, more than half the "
@@ -84,11 +101,17 @@ void doubt_wavelength(flow::Warnings& list, const SphCase& scene, double wavelen
                     coarsest, wavelength / coarsest, rounded_down(widest, 2)));
 }
 
+/// From a body's centre to the nearest side of the box.
+double way_to_box(const body::BodySettings& body, const SphSettings& own) {
+  const auto [x, y] = body.centre;
+  const auto [x0, y0, x1, y1] = *own.box;
+  return std::min({x - x0, x1 - x, y - y0, y1 - y});
+}
+
 void doubt_box(flow::Warnings& list, const SphCase& scene) {
-  const double length = extent_of(*scene.body);
-  const auto [x, y] = scene.body->centre;
-  const auto [x0, y0, x1, y1] = *scene.sph.box;
-  const double room = std::min({x - x0, x1 - x, y - y0, y1 - y}) / length;
+  const double room = least_of(scene, [&](const body::BodySettings& one) {
+    return way_to_box(one, scene.sph) / extent_of(one);
+  });
   const double wanted = scene.sph.outside == Outside::free ? 3 : 10;
   if (room < wanted)
     list.push_back(fmt::format(
@@ -98,11 +121,12 @@ void doubt_box(flow::Warnings& list, const SphCase& scene) {
 
 /// Vorticity that comes to a side by which the stream does not leave is lost to the far field.
 void doubt_sides(flow::Warnings& list, const SphCase& scene) {
-  const auto [x, y] = scene.body->centre;
   const auto [x0, y0, x1, y1] = *scene.sph.box;
   const auto [u, v] = scene.flow.stream;
   const double end = scene.time.end, spread = std::sqrt(4 * scene.flow.nu * end);
-  const double near = 0.85 * std::min({x - x0, x1 - x, y - y0, y1 - y});
+  const double near = 0.85 * least_of(scene, [&](const body::BodySettings& one) {
+                        return way_to_box(one, scene.sph);
+                      });
   if (spread > near)
     list.push_back(
         fmt::format("time.end = {:.3g}: vorticity spreads over {:.2g} by then, and beside the "
@@ -111,7 +135,10 @@ void doubt_sides(flow::Warnings& list, const SphCase& scene) {
                     end, spread, near));
   const bool across = std::abs(v) > std::abs(u);
   const double way = end * std::min(std::abs(u), std::abs(v));
-  const double room = across ? std::min(x - x0, x1 - x) : std::min(y - y0, y1 - y);
+  const double room = least_of(scene, [&](const body::BodySettings& one) {
+    const auto [x, y] = one.centre;
+    return across ? std::min(x - x0, x1 - x) : std::min(y - y0, y1 - y);
+  });
   if (way > 0.85 * room)
     list.push_back(
         fmt::format("flow.stream = [{:.3g}, {:.3g}]: by time.end = {:.3g} the wake comes to a side "
@@ -156,7 +183,7 @@ void doubt_wishes(flow::Warnings& list, const SphSettings& own) {
 /// Particles beside a vortex tell little of it if it is thinner than two of them.
 void doubt_initial(flow::Warnings& list, const SphCase& scene) {
   const auto [x, y] = scene.initial->centre;
-  const WantedSpacing wanted = wanted_of(scene.sph, body::outline_of(*scene.body),
+  const WantedSpacing wanted = wanted_of(scene.sph, bodies_of(scene).shape(),
                                          {scene.body->centre[0], scene.body->centre[1]});
   const double spacing = wanted.at({x - scene.body->centre[0], y - scene.body->centre[1]});
   const double width = flow::least_width(*scene.initial);
@@ -171,7 +198,7 @@ void doubt_initial(flow::Warnings& list, const SphCase& scene) {
 
 flow::Warnings warnings(const SphCase& scene) {
   flow::Warnings list;
-  if (scene.body) doubt_spacing(list, scene), doubt_thickness(list, scene);
+  if (scene.body) doubt_spacing(list, scene), doubt_thickness(list, scene), doubt_gap(list, scene);
   doubt_motion(list, scene.sph);
   const auto periodic = flow::periodic_flow_of(scene);
   doubt_step(list, scene, periodic ? periodic->speed : flow::fastest_of(scene));

@@ -32,8 +32,8 @@ struct BoundaryNode {
 /// carry.
 ///
 /// spacing            s [L]; a particle's volume is s^2
-/// place              wall: number along the body, anticlockwise; ring: 1 beside the wall, 2, ...;
-///                    outer and outlet: number around the box; else 0
+/// place              wall: number along all bodies, each anticlockwise; ring: 1 beside the wall,
+///                    2, ...; outer and outlet: number around the box; else 0
 /// nx, ny             normal of a node into the fluid, of a ring away from its body; else 0
 /// u, v               velocity at the time t [L/T]; u_before, v_before at the time of the step
 ///                    before, of the same fluid

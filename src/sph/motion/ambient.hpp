@@ -5,12 +5,11 @@
 
 namespace vortree::sph {
 
-/// What surrounds the particles, in the frame of the body, which does not turn.
+/// What surrounds the particles, in the frame of the bodies, which does not turn.
 ///
 /// nu       kinematic viscosity [L^2/T]
 /// steady   the stream in the frame at rest [L/T]
-/// motion   of the body; the stream that it meets is steady - dX/dt. Its wall turns about the
-///          origin at a steady rate
+/// motion   of all bodies; the stream that they meet is steady - dX/dt
 struct Ambient {
   double nu = 0;
   Vec2 steady{};
@@ -18,10 +17,6 @@ struct Ambient {
 
   [[nodiscard]] Vec2 stream(double t) const {
     return motion.travels() ? steady - motion.at(t).velocity : steady;
-  }
-  [[nodiscard]] Vec2 wall_velocity(Vec2 at) const { return motion.spin.rate * left_of(at); }
-  [[nodiscard]] Vec2 wall_acceleration(Vec2 at) const {
-    return -motion.spin.rate * motion.spin.rate * at;
   }
 };
 

@@ -32,9 +32,22 @@ Vec2 rate_of_stream(const MomentumInput& input) {
   return 1 / step.dt * (step.b0() * then - step.b1() * now + step.b2() * before);
 }
 
+Vec2 wall_velocity(const Cloud& cloud, std::size_t i, const MomentumInput& input) {
+  return input.bodies->wall_velocity(cloud.place[i], cloud.at(i));
+}
+
+/// Of the pressure at a node of a wall.
+double slope_at_wall(const Cloud& cloud, std::size_t i, const MomentumInput& input) {
+  const std::int32_t node = cloud.place[i];
+  const StandingBody& body = (*input.bodies)[input.bodies->of_node(node)];
+  const double along = slope_along_wall(body.of(input.wall_vorticity),
+                                        node - static_cast<std::int32_t>(body.first), body.spacing);
+  return -input.ambient.nu * along - dot(cloud.normal(i), body.wall_acceleration(cloud.at(i)));
+}
+
 }  // namespace
 
-double slope_along_wall(const std::vector<double>& omega, std::int32_t node, double spacing) {
+double slope_along_wall(std::span<const double> omega, std::int32_t node, double spacing) {
   const auto n = static_cast<std::int32_t>(omega.size());
   if (n < 5) return 0;
   const auto at = [&](std::int32_t k) { return omega[(node + k + n) % n]; };
@@ -50,7 +63,7 @@ Iterations Momentum::solve(Cloud& cloud, const Stencils& stencils, const Operato
   px_.resize(n), py_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const bool wall = cloud.kind[i] == ParticleKind::wall;
-    const Vec2 at_wall = wall ? step.b0() * input.ambient.wall_velocity(cloud.at(i)) : Vec2{};
+    const Vec2 at_wall = wall ? step.b0() * wall_velocity(cloud, i, input) : Vec2{};
     hu_[i] = wall ? at_wall.x : step.b1() * cloud.u[i] - step.b2() * cloud.u_before[i];
     hv_[i] = wall ? at_wall.y : step.b1() * cloud.v[i] - step.b2() * cloud.v_before[i];
   }
@@ -85,7 +98,7 @@ void Momentum::set_boundary(Cloud& cloud, const MomentumInput& input) {
   outlet_ = in_order(cloud, ParticleKind::outlet);
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] == ParticleKind::wall) {
-      const Vec2 u = input.ambient.wall_velocity(cloud.at(i));
+      const Vec2 u = wall_velocity(cloud, i, input);
       cloud.u[i] = u.x, cloud.v[i] = u.y;
     }
     if (cloud.kind[i] == ParticleKind::outer) outer.push_back(i);
@@ -135,10 +148,7 @@ void Momentum::set_slopes(const Cloud& cloud, const StepVelocities& before,
     const auto i = static_cast<std::size_t>(node.particle);
     const Vec2 u = cloud.velocity(i), normal = cloud.normal(i);
     if (cloud.kind[i] == ParticleKind::wall) {
-      const double along =
-          slope_along_wall(input.wall_vorticity, cloud.place[i], input.wall_spacing);
-      given_[i] =
-          -input.ambient.nu * along - dot(normal, input.ambient.wall_acceleration(cloud.at(i)));
+      given_[i] = slope_at_wall(cloud, i, input);
     } else if (cloud.kind[i] == ParticleKind::outer) {
       const Vec2 rate = 1 / step.dt * (step.b0() * u - Vec2{hu_[i], hv_[i]});
       given_[i] = -dot(normal, rate + convection(before, stencils, i));

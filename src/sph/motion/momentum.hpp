@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "sph/boundary/biot_savart.hpp"
+#include "sph/boundary/standing_bodies.hpp"
 #include "sph/cloud/cloud.hpp"
 #include "sph/motion/ambient.hpp"
 #include "sph/motion/pressure_system.hpp"
@@ -18,16 +20,16 @@ namespace vortree::sph {
 ///
 /// step             from t to `later`
 /// far_field        gives the velocity of outer nodes; null: they have that of the stream
-/// wall_vorticity   at t, of the wall's nodes by their number; empty before the first step
-/// wall_spacing     between those nodes [L]
+/// bodies           whose walls the nodes are; null without any
+/// wall_vorticity   at t, of those nodes by their number; empty before the first step
 /// tolerance        of the pressure
 struct MomentumInput {
   TimeStep step;
   double later = 0;
   const Ambient& ambient;
   const BiotSavart* far_field = nullptr;
+  const StandingBodies* bodies = nullptr;
   const std::vector<double>& wall_vorticity;
-  double wall_spacing = 0;
   double tolerance = 1e-5;
 };
 
@@ -85,7 +87,7 @@ class Momentum {
 };
 
 /// nu-free part of the slope at walls, d(omega)/ds to fourth order at each of n nodes around.
-[[nodiscard]] double slope_along_wall(const std::vector<double>& omega, std::int32_t node,
+[[nodiscard]] double slope_along_wall(std::span<const double> omega, std::int32_t node,
                                       double spacing);
 
 }  // namespace vortree::sph

@@ -60,7 +60,7 @@ TEST_CASE("a key on the command line is that of each body, or of the one with it
   const io::Scene all = parse(two, {"body.panels=200"});
   CHECK(all.body->panels == 200);
   CHECK(all.others[0].panels == 200);
-  const io::Scene one = parse(two, {"body[1].centre=[3, 0.5]", "body[1].motion.y=0.1*t"});
+  const io::Scene one = parse(two, {"body[1].centre=[3, 0.5]", "body[1].motion.y=\"0.1*t\""});
   CHECK(one.body->centre == Pair{0, 0});
   CHECK(one.others[0].centre == Pair{3, 0.5});
   CHECK(one.others[0].motion->y == "0.1*t");

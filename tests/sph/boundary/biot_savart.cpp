@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "body/shapes/circle.hpp"
 #include "tree/clouds.hpp"
 
 using namespace vortree;
@@ -80,7 +81,7 @@ void check_direct(const Seen& seen, const std::vector<Vortex>& vortices, Vec2 st
 TEST_CASE("the far field's velocity is the sum over the particles' vorticity and the stream") {
   const Whirls whirls(500);
   const Vec2 stream{0.8, 0.3};
-  BiotSavart far(wide, 1, 0, 1e-7);
+  BiotSavart far(wide, 1, {}, 1e-7);
   far.renew(whirls.cloud, whirls.slopes, stream, stream);
   check_direct(Seen(far, stream), whirls.vortices, stream);
   double circulation = 0;
@@ -93,7 +94,7 @@ TEST_CASE("the far field's velocity is the sum over the particles' vorticity and
 }
 
 TEST_CASE("without vorticity the far field is the stream") {
-  const BiotSavart far(wide, 1, 0, 1e-7);
+  const BiotSavart far(wide, 1, {}, 1e-7);
   const Seen seen(far, {0.5, -2});
   CHECK(std::ranges::all_of(seen.u, [](double u) { return u == 0.5; }));
   CHECK(std::ranges::all_of(seen.v, [](double v) { return v == -2; }));
@@ -135,7 +136,7 @@ double sum_times(const std::vector<double>& a, const std::vector<double>& b) {
 TEST_CASE("what flows out of the outlet becomes vortices of the same circulation and moment") {
   const Outlet outlet;
   const Vec2 stream{1, 0};
-  BiotSavart far(wide, 0.5, 0, 1e-7);
+  BiotSavart far(wide, 0.5, {}, 1e-7);
   for (int step = 0; step < 100; ++step)
     far.carry_out(outlet.cloud, outlet.slopes, stream, 0.01 * stream, 0.01);
   // In each release of a way of 0.06, but for what still waits.
@@ -159,7 +160,7 @@ TEST_CASE("what flows out of the outlet becomes vortices of the same circulation
 TEST_CASE("what leaves a box that moves across the stream stands where its way has led it") {
   const Outlet outlet;
   const double dt = 1.0 / 128;
-  BiotSavart far(wide, 0.5, 0, 1e-7);
+  BiotSavart far(wide, 0.5, {}, 1e-7);
   // 0.1 a node apart: a way of 0.05 along the stream is behind after 7 steps, the last of each
   // release; across it, the box moves by more.
   for (int step = 0; step < 7; ++step)
@@ -181,7 +182,7 @@ TEST_CASE("what leaves a box that moves across the stream stands where its way h
 TEST_CASE("what has left drifts on and counts, whatever the particles are") {
   const Whirls whirls(50);
   const Vec2 stream{2, 0.5};
-  BiotSavart far(wide, 0.5, 0, 1e-7);
+  BiotSavart far(wide, 0.5, {}, 1e-7);
   far.left_x = {5.9, 5.8}, far.left_y = {0.3, -0.2}, far.left_gamma = {0.7, -0.4};
   far.carry_out({}, {}, stream, stream, 1);
   far.renew(whirls.cloud, whirls.slopes, stream, stream);
@@ -207,7 +208,7 @@ TEST_CASE("vorticity counts within the margin of the side alone by which the str
     for (const Vec2 at : {left, right, bottom, top, middle}) {
       Whirls one(0);
       one.add(at, 0.1, ParticleKind::fluid, 2);
-      BiotSavart far(wide, margin, 0, 1e-7);
+      BiotSavart far(wide, margin, {}, 1e-7);
       far.renew(one.cloud, one.slopes, stream, stream);
       const bool counts = std::ranges::any_of(
           count, [&](Vec2 there) { return there.x == at.x && there.y == at.y; });
@@ -219,7 +220,7 @@ TEST_CASE("vorticity counts within the margin of the side alone by which the str
 TEST_CASE("amid the vorticity particles have cores of 1.5 of their spacings") {
   const Whirls whirls(100);
   const double pi = std::numbers::pi;
-  BiotSavart far(wide, 0.5, 0, 1e-7);
+  BiotSavart far(wide, 0.5, {}, 1e-7);
   far.renew(whirls.cloud, whirls.slopes, {1, 0}, {1, 0});
   std::vector<double> x, y;
   for (int k = 0; k < 50; ++k) x.push_back(0.02 * k - 0.5), y.push_back(0.3 * std::sin(k));
@@ -246,7 +247,7 @@ TEST_CASE("a vortex passes the outlet without a jump of what it makes there") {
   // Of the particles it leaves by its flux, of the vortices it stands in the middle of its way: the
   // whole of it counts at all times.
   const Outlet outlet;
-  BiotSavart far(wide, 0.5, 0, 1e-7);
+  BiotSavart far(wide, 0.5, {}, 1e-7);
   const double dt = 1.0 / 128;
   double before = 0;
   for (int step = 1; step <= 40; ++step) {
@@ -278,9 +279,9 @@ TEST_CASE("the sheet on a circle that slips as in potential flow is the dipole o
     none.push_back({});
     none.back()[1].x = gamma;
   }
-  BiotSavart far(wide, 1, 0, 1e-7);
+  BiotSavart far(wide, 1, {}, 1e-7);
   far.renew(cloud, none, {1, 0}, {1, 0});
-  far.add_sheet(cloud, 0);
+  far.add_sheet(cloud);
   // Trapezia are exact for the trigonometric polynomials of the sheet and of its impulse.
   CHECK(far.circulation() == Approx(0).margin(1e-13));
   CHECK(far.impulse().x == Approx(-2 * std::numbers::pi * radius * radius).epsilon(1e-9));
@@ -306,13 +307,17 @@ TEST_CASE("a body that turns has its circulation, and its wall's own velocity is
     cloud.add(BoundaryNode{radius * e, e, 2 * pi * radius / n}, ParticleKind::wall, k);
   }
   const double circulation = 2 * rate * pi * radius * radius;
-  BiotSavart far(wide, 1, circulation, 1e-7);
+  const StandingBodies circle({{.shape = body::circle({}, radius),
+                                .spin = rate,
+                                .area = pi * radius * radius,
+                                .nodes = n}});
+  BiotSavart far(wide, 1, circle, 1e-7);
   const std::vector<Slopes> none(cloud.size());
   far.renew(cloud, none, {1, 0}, {1, 0});
   CHECK(far.circulation() == Approx(circulation).epsilon(1e-14));
   check_direct(Seen(far, {1, 0}), {{{0, 0}, circulation}}, {1, 0});
   // Fluid at rest around it: the sheet takes back what the body has.
-  far.add_sheet(cloud, rate);
+  far.add_sheet(cloud);
   CHECK(far.circulation() == Approx(0).margin(1e-12));
   const Seen still(far, {1, 0});
   for (std::size_t k = 0; k < still.x.size(); ++k) CHECK(still.u[k] == Approx(1).margin(1e-5));
@@ -320,6 +325,6 @@ TEST_CASE("a body that turns has its circulation, and its wall's own velocity is
   for (std::size_t i = 0; i < cloud.size(); ++i)
     cloud.u[i] = -rate * cloud.y[i], cloud.v[i] = rate * cloud.x[i];
   far.renew(cloud, none, {1, 0}, {1, 0});
-  far.add_sheet(cloud, rate);
+  far.add_sheet(cloud);
   CHECK(far.circulation() == Approx(circulation).epsilon(1e-12));
 }

@@ -20,8 +20,8 @@ const OuterBox box{{-1, -1}, {1, 1}};
 /// Fluid of spacing s in the box, with nodes around it; all carry a polynomial of degree 2.
 struct InBox {
   Cloud cloud;
-  std::unique_ptr<body::Shape> shape;
-  Confines confines{box, nullptr, 0, 0};
+  std::shared_ptr<const body::Shape> shape;
+  Confines confines{box};
   Stencils stencils;
   std::vector<Slopes> slopes;
 
@@ -50,7 +50,7 @@ struct InBox {
  private:
   void add_body(Cloud&) {
     shape = body::circle({}, 0.3);
-    confines = {box, shape.get(), 1, s};
+    confines = {box, StandingBodies({{.shape = shape, .nodes = 19, .spacing = s}}), 1};
     for (const BoundaryNode& node : ring_nodes(*shape, s, s, false))
       cloud.add(node, ParticleKind::ring, 1);
   }

@@ -109,7 +109,7 @@ struct Particles {
 
 Vec2 by_vorticity(const Flow& flow, int n, Vec2 acceleration = {}) {
   const Particles particles(flow, n);
-  BiotSavart far({{-20, -20}, {20, 20}}, 1, 0, 0);
+  BiotSavart far({{-20, -20}, {20, 20}}, 1, {}, 0);
   far.renew(particles.cloud, particles.slopes, {}, {});
   return VorticityForce(*body::circle({}, a), particles.wall)(far, particles.wall_vorticity, nu,
                                                               acceleration);
@@ -144,7 +144,7 @@ TEST_CASE("A frame that speeds up adds twice the displaced fluid of a circle") {
 
 TEST_CASE("What has left the box still counts") {
   // A vortex that drifts with the stream far downstream: gamma (v phi_x - u phi_y).
-  BiotSavart far({{-2, -2}, {4, 2}}, 0.1, 0, 0);
+  BiotSavart far({{-2, -2}, {4, 2}}, 0.1, {}, 0);
   far.left_x = {5}, far.left_y = {1}, far.left_gamma = {0.3};
   Cloud cloud;
   cloud.add({4, 0}, 0.1, ParticleKind::outlet);

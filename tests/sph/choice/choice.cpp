@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -52,6 +53,91 @@ TEST_CASE("the box goes by how far an ellipse extends, not by its first axis") {
   for (const Box& found : {box(0.1, 0.5, 0), box(0.1, 0.5, 90), box(0.5, 0.1, 90)}) {
     const Box wanted{-5, -5, 7, 5};
     for (int k = 0; k < 4; ++k) CHECK(found[k] == Approx(wanted[k]).epsilon(1e-6));
+  }
+}
+
+namespace {
+
+/// A circle of diameter 1 in the origin, and one of that radius elsewhere.
+SphScene two_circles(Pair centre, double radius = 0.5) {
+  SphScene scene;
+  scene.of.others.push_back(vortree::test::circle(radius));
+  scene.of.others.back().centre = centre;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "of several bodies the least chooses spacing and levels, and the box holds that of each") {
+  SphScene scene = two_circles({2, 3}, 0.125);
+  scene.of.accuracy = 0.01;
+  scene.choose();
+  // The small one has a quarter of the Reynolds number, below 20: 5 * 0.01 of its diameter.
+  CHECK(scene.number("spacing") == Approx(0.0125).epsilon(1e-12));
+  CHECK(scene.number("levels") == 3);  // to a fifth of its diameter
+  CHECK(scene.number("zone") == 0.5);  // half of the greater
+  CHECK(scene.box() == Box{-5, -5, 7, 5});
+  SphScene alike = two_circles({2, 3});
+  alike.of.accuracy = 0.01;
+  CHECK(alike.choose().box() == Box{-5, -5, 9, 8});
+}
+
+TEST_CASE("how many particles bodies make is foreseen, of several as of one") {
+  SphScene single;
+  for (SphScene scene : {single, two_circles({0, 1.6}), two_circles({4, 0})}) {
+    scene.set("spacing", 0.05).choose();
+    const auto& own = scene.method.settings();
+    const double foreseen = sph::expected_particles({scene.of, own});
+    const double there = static_cast<double>(scene.begin()->particles());
+    // Rings and nodes of walls and box stand closer: 10 to 11 % more, of one body or two.
+    CHECK(foreseen == Approx(there).epsilon(0.12));
+  }
+}
+
+TEST_CASE("SPH refuses bodies too close for their rings, cut by the box, or that part") {
+  SphScene scene = two_circles({0, 1.5});
+  SECTION("too close: two times 4 rings and 3 spacings in a gap of 0.5") {
+    scene.set("spacing", 0.05);
+    CHECK_THROWS_WITH(scene.choose(), Contains("the gap of 0.5 between two bodies") &&
+                                          Contains("4 rings") && Contains("0.0454 at most"));
+    CHECK_NOTHROW(scene.set("spacing", 0.045).choose());
+  }
+  SECTION("fewer rings fit, and hardly ten particles in a gap are warned of") {
+    scene.set("spacing", 0.055).set("rings", 3);
+    CHECK_NOTHROW(scene.choose());
+    const flow::Warnings warnings = scene.method.warnings(scene.of);
+    CHECK(std::ranges::any_of(warnings, [](const std::string& one) {
+      return one.find("the gap of 0.5 between two bodies is only 9.1 particles wide") !=
+             std::string::npos;
+    }));
+  }
+  SECTION("a box that cuts the second") {
+    scene.set("spacing", 0.04).set("box", Box{-5, -5, 7, 2});
+    CHECK_THROWS_WITH(scene.choose(), Contains("sph.box"));
+  }
+  SECTION("a spacing that is too wide for the second alone") {
+    SphScene small = two_circles({0, 3}, 0.1);
+    small.set("spacing", 0.05);
+    CHECK_THROWS_WITH(small.choose(), Contains("0.04 at most"));
+  }
+  SECTION("one that moves against the other") {
+    scene.set("spacing", 0.04);
+    body::MotionSettings slides;
+    slides.x = "0.1*t";
+    const body::Jets still{{0, 0}, {0, 0}, {0, 0}};
+    slides.course = {{0, 1}, {body::Jets{{0, 0.1}, {0.1, 0.1}, {0, 0}}, still, still}, {}};
+    scene.of.others[0].motion = slides;
+    CHECK_THROWS_WITH(scene.choose(), Contains("moves body[1] against the others"));
+    scene.of.others[0].motion = body::MotionSettings{2};
+    CHECK_NOTHROW(scene.choose());
+  }
+  SECTION("a vortex within the second") {
+    scene.set("spacing", 0.04);
+    scene.of.initial.emplace();
+    scene.of.initial->circulation = 1, scene.of.initial->core = 0.2;
+    scene.of.initial->centre = {0.1, 1.6};
+    CHECK_THROWS_WITH(scene.choose(), Contains("within a body"));
   }
 }
 

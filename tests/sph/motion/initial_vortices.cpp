@@ -39,21 +39,19 @@ struct StartErrors {
 StartErrors beside_circle(double s, double body = 0) {
   const double a = 0.5, gamma = 0.5;
   const std::shared_ptr<const body::Shape> shape = body::circle({}, a);
-  const double wall_spacing = shape->perimeter() / std::lround(shape->perimeter() / s);
   const SphSetup setup{.scales = {},
                        .ambient = {},
-                       .shape = shape,
                        .box = {{-4, -4}, {4, 4}},
                        .wanted = {shape, s, 3, 0.5, 2},
-                       .confines = {{{-4, -4}, {4, 4}}, shape.get(), 4, wall_spacing},
-                       .operators = {2, 2.8, 0, shape.get()},
-                       .wall_spacing = wall_spacing};
+                       .confines = {{{-4, -4}, {4, 4}}, StandingBodies({stand(shape, s)}), 4},
+                       .operators = {2, 2.8, 0, shape.get()}};
   Cloud cloud = starting_cloud(setup);
   Stencils stencils;
   stencils.renew(cloud, setup.operators);
   const double vortices = add_initial_vortices(cloud, lamb_oseen(gamma, 0.15, {0.8, 0.7}), {});
   CHECK(vortices == Approx(gamma).epsilon(1e-13));
-  start_potential_flow(cloud, stencils, setup.operators, setup.ambient, true, body - gamma);
+  start_potential_flow(cloud, stencils, setup.operators, setup.ambient, setup.bodies(), true,
+                       body - gamma);
   const Complex at{0.8, 0.7}, image = a * a / std::conj(at);
   double error = 0, size = 0, through = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {

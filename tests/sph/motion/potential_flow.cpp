@@ -12,24 +12,23 @@ using namespace vortree::sph;
 
 namespace {
 
-SphSetup around_circle(double spacing, double half, const Ambient& ambient = {.steady = {1, 0}}) {
+SphSetup around_circle(double spacing, double half, double spin = 0) {
   const std::shared_ptr<const body::Shape> shape = body::circle({}, 0.5);
-  const double wall_spacing = shape->perimeter() / std::lround(shape->perimeter() / spacing);
   return {.scales = {},
-          .ambient = ambient,
-          .shape = shape,
+          .ambient = {.steady = {1, 0}},
           .box = {{-half, -half}, {half, half}},
           .wanted = {shape, spacing, 3, 0.5, 2},
-          .confines = {{{-half, -half}, {half, half}}, shape.get(), 4, wall_spacing},
-          .operators = {},
-          .wall_spacing = wall_spacing};
+          .confines = {{{-half, -half}, {half, half}},
+                       StandingBodies({stand(shape, spacing, {}, spin)}),
+                       4},
+          .operators = {}};
 }
 
 Cloud started(const SphSetup& setup, bool unbounded) {
   Cloud cloud = starting_cloud(setup);
   Stencils stencils;
   stencils.renew(cloud, setup.operators);
-  start_potential_flow(cloud, stencils, setup.operators, setup.ambient, unbounded);
+  start_potential_flow(cloud, stencils, setup.operators, setup.ambient, setup.bodies(), unbounded);
   return cloud;
 }
 
@@ -91,9 +90,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a circle that turns in a stream starts as one at rest: its wall moves along itself") {
-  const SphSetup rest = around_circle(0.1, 2),
-                 turning =
-                     around_circle(0.1, 2, {.steady = {1, 0}, .motion = {.spin = {.rate = 3}}});
+  const SphSetup rest = around_circle(0.1, 2), turning = around_circle(0.1, 2, 3);
   const Cloud a = started(rest, true), b = started(turning, true);
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -46,6 +46,6 @@ TEST_CASE("the slope along a wall is of fourth order, around and around") {
   // 2^5 h^4/30 is the first term that it misses.
   CHECK(error(40) == Approx(32 * std::pow(2 * std::numbers::pi / 40, 4) / 30).epsilon(0.05));
   CHECK(std::log2(error(40) / error(80)) > 3.9);
-  CHECK(slope_along_wall({1, 5, 2, 7}, 1, 0.1) == 0);
+  CHECK(slope_along_wall(std::vector{1.0, 5.0, 2.0, 7.0}, 1, 0.1) == 0);
   CHECK(slope_along_wall({}, 0, 0.1) == 0);
 }

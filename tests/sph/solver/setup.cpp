@@ -32,12 +32,14 @@ std::size_t count(const Cloud& cloud, ParticleKind kind) {
 TEST_CASE("a body's area is that of its outline") {
   const double pi = std::numbers::pi;
   // The outline is a polygon of 4096 corners: (2 pi/4096)^2/6 of a circle are missed.
-  CHECK(setup_of(scene_around(vortree::test::circle(0.5))).area == Approx(pi / 4).epsilon(1e-6));
-  CHECK(setup_of(scene_around(vortree::test::ellipse(0.5, 0.2, 20))).area ==
+  CHECK(setup_of(scene_around(vortree::test::circle(0.5))).bodies().area() ==
+        Approx(pi / 4).epsilon(1e-6));
+  CHECK(setup_of(scene_around(vortree::test::ellipse(0.5, 0.2, 20))).bodies().area() ==
         Approx(pi * 0.1).epsilon(1e-5));
   // 2 * 0.6 (0.2969 * 2/3 - 0.1260/2 - 0.3516/3 + 0.2843/4 - 0.1036/5), the section with its edge
   // closed; rounding moves it by 0.005 of the chord at one end.
-  CHECK(setup_of(scene_around(vortree::test::foil(1))).area == Approx(0.0819).margin(0.002));
+  CHECK(setup_of(scene_around(vortree::test::foil(1))).bodies().area() ==
+        Approx(0.0819).margin(0.002));
 }
 
 TEST_CASE("what is asked of a box is as seen from the body, whose wall is cut into equal parts") {
@@ -46,8 +48,8 @@ TEST_CASE("what is asked of a box is as seen from the body, whose wall is cut in
   const SphSetup setup = setup_of(scene);
   CHECK(setup.confines.box.low.x == Approx(-2.3).epsilon(1e-14));
   CHECK(setup.confines.box.high.y == Approx(2.2).epsilon(1e-14));
-  CHECK(std::numbers::pi / setup.wall_spacing == Approx(31).epsilon(1e-12));
-  CHECK(setup.confines.ring_spacing == setup.wall_spacing);
+  CHECK(setup.bodies()[0].nodes == 31);
+  CHECK(std::numbers::pi / setup.bodies()[0].spacing == Approx(31).epsilon(1e-12));
   CHECK(setup.dt == 0.03);
 }
 
@@ -81,8 +83,8 @@ TEST_CASE("places tell nodes and rings apart, and normals point into the fluid")
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (cloud.kind[i] == ParticleKind::wall) ++seen.at(static_cast<std::size_t>(cloud.place[i]));
     if (cloud.kind[i] == ParticleKind::ring)
-      CHECK(setup.shape->distance(cloud.at(i)) ==
-            Approx(cloud.place[i] * setup.wall_spacing).epsilon(1e-9));
+      CHECK(setup.bodies().shape()->distance(cloud.at(i)) ==
+            Approx(cloud.place[i] * setup.bodies()[0].spacing).epsilon(1e-9));
     if (cloud.free(i)) {
       CHECK(cloud.place[i] == 0);
       CHECK(dot(cloud.normal(i), cloud.normal(i)) == 0);
