@@ -22,7 +22,8 @@ def draw(run):
     shared = boxes[0] is boxes[-1]
     columns = min(len(fields), MOST if tall > 0.8 else 2)
     rows = -(-len(fields) // columns)
-    fig = figure(11.0, 0.6 + rows * (0.45 + tall * 9.2 / max(columns, 2)), run.scene.get("title"))
+    fig = figure(11.0 if columns > 1 else 6.5, 0.6 + rows * (0.45 + tall * 9.2 / max(columns, 2)),
+                 run.scene.get("title"))
     grid = fig.subplots(rows, columns, sharex=shared, sharey=shared, squeeze=False)
     for axes, field, box in zip(grid.flat, fields, boxes):
         time = unit * field["time"]
