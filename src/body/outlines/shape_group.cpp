@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body/outlines/greatest.hpp"
+
 namespace vortree::body {
 
 WallPoint PlacedShape::nearest(Vec2 at) const {
@@ -61,28 +63,9 @@ bool ShapeGroup::beyond(Vec2 at, double d) const {
 
 namespace {
 
-/// The place of `a` between two arcs that is nearest to `b`, by the golden section.
-double least_between(const Shape& a, const Shape& b, double low, double high) {
-  constexpr double golden = 0.6180339887498949;
-  const auto distance = [&](double arc) { return b.distance(a.point(arc)); };
-  while (high - low > 1e-7 * a.perimeter()) {
-    const double left = high - golden * (high - low), right = low + golden * (high - low);
-    if (distance(left) < distance(right))
-      high = right;
-    else
-      low = left;
-  }
-  return distance((low + high) / 2);
-}
-
 /// From the places of one outline.
 double least_from(const Shape& a, const Shape& b) {
-  const std::vector<OutlinePoint> all = a.trace();
-  const auto nearest = std::ranges::min_element(
-      all, {}, [&](const OutlinePoint& one) { return b.distance(one.at); });
-  const double around = a.perimeter() / 128;
-  return std::min(b.distance(nearest->at),
-                  least_between(a, b, nearest->arc - around, nearest->arc + around));
+  return -greatest(a, a.trace(), [&](Vec2 at) { return -b.distance(at); });
 }
 
 }  // namespace
