@@ -74,7 +74,9 @@ std::shared_ptr<const MovingWall> wall_of(const body::Bodies& bodies) {
   return std::make_shared<MovingWall>(std::move(all), std::move(own), first.motion.turns());
 }
 
+/// Of several bodies: a single one moves with the frame.
 std::vector<body::Motion> own_motions(const body::Bodies& bodies) {
+  if (bodies.size() < 2) return {};
   std::vector<body::Motion> own;
   for (const body::Body& one : bodies) own.push_back(one.own);
   return own;

@@ -34,7 +34,7 @@ class Placement {
 ///
 /// breaks  parameters where the second derivative jumps, or the speed; the direction does not
 /// error   round-off of place, distance, normal, arc length and curvature: 1e-13 of the largest
-///         second derivative nearby (tests/body/outlines/outline.cpp)
+///         second derivative nearby (tests/body/outline.cpp)
 /// cost    0.2 us for a nearest point; 0.4 ms and 0.1 MB for drawing a foil
 std::unique_ptr<Shape> outline(const Curve& curve, const std::vector<double>& breaks = {});
 
