@@ -218,7 +218,7 @@ void lay_along_curve(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
   }
   WallNodes nodes(lattice, wall, curve, rows, strength);
   const std::ptrdiff_t n = std::ssize(blobs);
-#pragma omp parallel for schedule(dynamic, blobs_a_turn)
+#pragma omp parallel for schedule(dynamic, wall_blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) nodes.lay(blobs[i]);
   nodes.append_to(adapted);
 }
