@@ -21,7 +21,7 @@ WORDS = {"drag_max": "drag, largest", "drag_rms": "drag, rms", "bubble_max": "le
          "pressure_rms": "pressure, rms"}
 CLOCKS = {"seconds": "wall time  [s]", "processor_seconds": "time of one processor  [s]"}
 DRAG = ("drag_max", "drag_rms")
-GUIDES = (0.01, 0.003, 0.001)  # src/app/commands/sweep_seconds.cpp
+GUIDES = (0.01, 0.003, 0.001)  # src/app/commands/sweep/seconds.cpp
 LOOKS = [(BLUE, "o"), (ORANGE, "s"), (GREEN, "D"), (RED, "^"), (SKY, "v"), (GREY, "P")]
 
 

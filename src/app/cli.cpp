@@ -21,7 +21,7 @@
 #include "app/commands/lyapunov.hpp"
 #include "app/commands/movie.hpp"
 #include "app/commands/plot.hpp"
-#include "app/commands/sweep.hpp"
+#include "app/commands/sweep/sweep.hpp"
 #include "app/grammar.hpp"
 #include "app/install_paths.hpp"
 #include "app/loop/threads.hpp"

@@ -1,4 +1,4 @@
-#include "app/commands/sweep_seconds.hpp"
+#include "app/commands/sweep/seconds.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

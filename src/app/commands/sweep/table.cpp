@@ -1,4 +1,4 @@
-#include "app/commands/sweep_table.hpp"
+#include "app/commands/sweep/table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "app/commands/sweep.hpp"
+#include "app/commands/sweep/sweep.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,8 +11,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/commands/sweep_seconds.hpp"
-#include "app/commands/sweep_table.hpp"
+#include "app/commands/sweep/seconds.hpp"
+#include "app/commands/sweep/table.hpp"
 #include "app/folder/older_run.hpp"
 #include "app/folder/output_folder.hpp"
 #include "app/install_paths.hpp"

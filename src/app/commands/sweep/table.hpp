@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/sweep.hpp"
+#include "app/commands/sweep/sweep.hpp"
 
 namespace vortree::app {
 
