@@ -106,7 +106,7 @@ def guide(axes):
     axes.xaxis.set_minor_formatter(NullFormatter())
     for wanted in GUIDES:
         if 0.5 * low < wanted < 2 * high:
-            axes.axvline(wanted, color=INK, lw=0.8, ls=(0, (4, 3)), zorder=0.5)
+            axes.axvline(wanted, color=INK, lw=0.8, ls=(0, (4, 3)), zorder=0.9)  # over grids
             axes.text(wanted, 1.0, f"{100 * wanted:g} %", transform=axes.get_xaxis_transform(),
                       ha="center", va="bottom", fontsize=10, color=INK)
 

@@ -1,22 +1,21 @@
 #include "app/commands/sweep/sweep.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <exception>
 #include <map>
 #include <new>
-#include <optional>
+#include <numeric>
+#include <span>
 #include <utility>
 
-#include "app/commands/sweep/seconds.hpp"
+#include "app/commands/sweep/plan_file.hpp"
+#include "app/commands/sweep/report.hpp"
 #include "app/commands/sweep/table.hpp"
 #include "app/folder/older_run.hpp"
 #include "app/folder/output_folder.hpp"
 #include "app/install_paths.hpp"
-#include "app/plot.hpp"
 #include "app/say.hpp"
 #include "io/files.hpp"
 #include "io/input_error.hpp"
@@ -27,59 +26,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_runs = 10'000;
-
-/// The parts of a list between commas that are not inside brackets or quotes.
-std::vector<std::string> listed(const std::string& text) {
-  std::vector<std::string> parts(1);
-  int depth = 0;
-  char quote = 0;
-  for (char c : text) {
-    if (quote) {
-      quote = c == quote ? 0 : quote;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '[' || c == '{') {
-      ++depth;
-    } else if (c == ']' || c == '}') {
-      --depth;
-    } else if (c == ',' && depth == 0) {
-      parts.emplace_back();
-      continue;
-    }
-    parts.back() += c;
-  }
-  return parts;
-}
-
-std::vector<Member> members_of(const SweepPlan& plan) {
-  std::vector<Member> members(1);
-  for (const Axis& axis : plan.axes) {
-    if (members.size() * axis.values.size() > most_runs)
-      throw io::InputError(
-          fmt::format("command line: a sweep of more than {} runs, by {}", most_runs, axis.key));
-    std::vector<Member> more;
-    for (const Member& m : members)
-      for (const std::string& value : axis.values) {
-        more.push_back(m);
-        more.back().values.push_back(value);
-      }
-    members = std::move(more);
-  }
-  return members;
-}
-
-fs::path folder_of(const SweepPlan& plan, const Member& member) {
-  std::string name = fmt::format("{}", fmt::join(overrides_of(plan, member), ","));
-  std::ranges::replace_if(
-      name, [](char c) { return c == '/' || c == ' ' || c == '"'; }, '_');
-  return name;
-}
-
 RunOptions options_of(const RunOptions& all, const SweepPlan& plan, const Member& member) {
   RunOptions options = all;
-  options.overrides = plan.fixed;
-  for (const std::string& word : overrides_of(plan, member)) options.overrides.push_back(word);
+  options.overrides = all_overrides(plan, member);
   options.out = all.out / folder_of(plan, member);
   options.resume = all.resume && holds_frames(options.out);
   options.figures = false;
@@ -110,65 +59,97 @@ void require_different(const RunOptions& options, const SweepPlan& plan,
   }
 }
 
+/// Leaves word of a failure in the folder of the run, as far as that can be done.
+void keep_failure(const fs::path& folder, const std::string& failure) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return;
+  try {
+    io::write_derived_text(folder / "failed.txt", failure + "\n");
+  } catch (const std::exception&) {  // what kept the run from its end may be a full disk
+  }
+}
+
 /// Carries one out; what keeps it from its end is said, and kept.
 void carry_out(const RunOptions& options, const SweepPlan& plan, Member& m) {
+  const RunOptions own = options_of(options, plan, m);
+  std::error_code error;
   try {
-    m.result = run(options_of(options, plan, m));
+    if (fs::is_regular_file(own.out / "failed.txt", error)) io::remove_file(own.out / "failed.txt");
+    m.result = run(own);
   } catch (const std::bad_alloc&) {
     m.failure = "out of memory";
   } catch (const std::exception& broken) {
     m.failure = broken.what();
   }
-  if (!m.failure.empty()) say_line(m.failure);
+  if (m.failure.empty()) return;
+  say_line(m.failure);
+  keep_failure(own.out, m.failure);
+}
+
+/// throws  io::InputError if there is what the sweep, or a task's share of it, would destroy
+void refuse_older_sweep(const RunOptions& options, const SweepPlan& plan,
+                        std::span<const Member> members, std::span<const std::size_t> own,
+                        bool alone) {
+  std::error_code error;
+  if (alone || !fs::exists(options.out / "sweep.json", error)) {
+    refuse_older_table(options.out / "sweep.csv");
+    refuse_older_figures(options.out, "sweep", options.figures_as);
+  }
+  for (const std::size_t k : own) refuse_older_run(options_of(options, plan, members[k]).out);
+}
+
+std::vector<std::size_t> all_of(std::span<const Member> members) {
+  std::vector<std::size_t> all(members.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+int say_stopped(std::size_t run, std::size_t runs) {
+  say("the sweep has stopped in run {} of {}", run, runs);
+  return 1;
+}
+
+/// What became of a task's own runs; the table of all is another command's.
+int end_of_task(const RunOptions& options, const SweepPlan& plan, std::span<const Member> members,
+                std::span<const std::size_t> own) {
+  std::vector<Member> done;
+  for (const std::size_t k : own) done.push_back(members[k]);
+  const std::string out = io::printable(options.out.string());
+  tell("{} of {} runs are in {}; the table of all: vortree sweep {}\n", done.size(), members.size(),
+       out, out);
+  const std::string wrong = what_went_wrong(plan, done);
+  if (!wrong.empty()) tell("{}\n", io::printable(wrong));
+  return wrong.empty() ? 0 : 1;
 }
 
 }  // namespace
 
-SweepPlan sweep_plan(std::span<const std::string> overrides) {
-  SweepPlan plan;
-  for (const std::string& word : overrides) {
-    const std::size_t equals = word.find('=');
-    const auto values =
-        equals == std::string::npos ? std::vector<std::string>{} : listed(word.substr(equals + 1));
-    if (values.size() < 2) {
-      plan.fixed.push_back(word);
-      continue;
-    }
-    if (std::ranges::any_of(values, &std::string::empty))
-      throw io::InputError(
-          fmt::format("command line: {}: there is an empty value between two commas", word));
-    plan.axes.push_back({word.substr(0, equals), values});
-  }
-  return plan;
-}
-
-int sweep(const RunOptions& options, const SweepPlan& plan) {
+int sweep(const RunOptions& options, const SweepPlan& plan, const std::optional<Share>& share) {
   std::vector<Member> members = members_of(plan);
+  const std::vector<std::size_t> own = share ? runs_of(*share, members.size()) : all_of(members);
   require_different(options, plan, members);  // before hours are spent on the first of them
-  const OutputFolder folder(options.out);
-  io::require_writable(options.out / "sweep.csv", std::array{find_scene(options.scene)});
-  if (!options.resume && !options.overwrite) {
-    refuse_older_table(options.out / "sweep.csv");
-    refuse_older_figures(options.out, "sweep");
-    for (const Member& m : members) refuse_older_run(options_of(options, plan, m).out);
+  if (own.empty()) {
+    tell("task {} of {} has nothing to do: the list has {} runs\n", share->task, share->tasks,
+         members.size());
+    return 0;
   }
-  if (options.overwrite) remove_older_figures(options.out, "sweep");
-  std::size_t done = 0;
-  for (Member& m : members) {
-    say("run {} of {}: {}", done + 1, members.size(), name_of(plan, m));
+  const bool alone = !share;
+  const OutputFolder folder(options.out,
+                            alone ? OutputFolder::Use::alone : OutputFolder::Use::shared);
+  const fs::path table = options.out / "sweep.csv";
+  if (alone) io::require_writable(table, std::array{find_scene(options.scene)});
+  if (!options.resume && !options.overwrite) refuse_older_sweep(options, plan, members, own, alone);
+  keep_plan(options, plan, alone);
+  if (alone && options.overwrite) remove_older_figures(options.out, "sweep");
+  for (const std::size_t k : own) {
+    Member& m = members[k];
+    say("run {} of {}: {}", k + 1, members.size(), name_of(plan, m));
     carry_out(options, plan, m);
-    if (m.failure.empty() && !m.result.finished) {
-      say("the sweep has stopped in run {} of {}", done + 1, members.size());
-      return 1;
-    }
-    write_csv(options.out / "sweep.csv", options, plan, std::span(members).first(++done));
+    if (m.ended() && !m.result.finished) return say_stopped(k + 1, members.size());
+    if (alone) write_csv(table, options.scene, plan, std::span(members).first(k + 1));
   }
-  tell("{}{}", table(plan, members), seconds_to_errors(plan, members));
-  plot(options.out, "sweep");
-  tell("results in {}\n", io::printable(options.out.string()));
-  const std::string wrong = what_went_wrong(plan, members);
-  if (!wrong.empty()) tell("{}\n", io::printable(wrong));
-  return wrong.empty() ? 0 : 1;
+  return alone ? report(options.out, plan, members, options.figures_as)
+               : end_of_task(options, plan, members, own);
 }
 
 }  // namespace vortree::app
