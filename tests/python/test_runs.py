@@ -1,5 +1,7 @@
 import json
+import re
 import shutil
+import subprocess
 
 import numpy as np
 import pytest
@@ -113,3 +115,52 @@ def test_values_are_written_as_toml():
     assert json.dumps(read) == json.dumps({**values, "h": 0.3, "i": [0, 1, 2]})
     with pytest.raises(ValueError, match="nothing that a scene can hold"):
         _runs._toml(None)
+
+
+def test_lists_are_a_sweep_in_the_order_of_the_list(tmp_path):
+    keys = {"time": {"end": 0.1}, "check": {"lift_max": 1}}
+    sweep = vortree.run("cylinder", out=tmp_path / "sweep", method=["vortex", "sph"],
+                        accuracy=np.array([0.2, 0.1]), flow={"reynolds": 20}, **keys)
+    assert [tuple(case.values()) for case in sweep.cases] == [
+        ("vortex", 0.2), ("vortex", 0.1), ("sph", 0.2), ("sph", 0.1)]
+    assert list(sweep.table)[:4] == ["method", "accuracy", "steps", "particles"]
+    assert sweep.table["method"].tolist() == ["vortex", "vortex", "sph", "sph"]
+    assert sweep.table["accuracy"].tolist() == [0.2, 0.1, 0.2, 0.1]
+    for run, case, steps in zip(sweep, sweep.cases, sweep.table["steps"]):
+        assert run.scene["method"] == case["method"] and run.scene["accuracy"] == case["accuracy"]
+        assert run.summary["steps"] == steps == run.report["t"].size
+    assert len(sweep[1:3]) == 2 and sweep[-1].folder.name == "method=sph,accuracy=0.1"
+    assert sweep.passed and sweep.failed == []
+    assert len(vortree.read(tmp_path / "sweep")) == 4
+    with pytest.raises(ValueError, match="holds a run|is there already"):
+        vortree.run("cylinder", out=tmp_path / "sweep", method=["vortex", "sph"],
+                    accuracy=[0.2, 0.1], flow={"reynolds": 20}, **keys)
+
+
+def test_a_run_of_a_sweep_that_breaks_off_is_warned_of_and_a_gap(tmp_path):
+    (tmp_path / "sweep/accuracy=0.1/report.csv").mkdir(parents=True)
+    with pytest.warns(UserWarning, match="report.csv"):
+        sweep = vortree.run("cylinder", out=tmp_path / "sweep", accuracy=[0.2, 0.1],
+                            time={"end": 0.1})
+    assert np.isnan(sweep.table["steps"]).tolist() == [False, True]
+    assert [case for case, _ in sweep.failed] == [{"accuracy": 0.1}] and not sweep.passed
+
+
+def test_lists_of_keys_that_take_lists_are_one_value_and_others_several(tmp_path):
+    program = _runs.find_program()
+    page = subprocess.run([program, "check", "--keys"], capture_output=True, text=True, check=True)
+    names = [line.split("`")[1] for line in page.stdout.splitlines() if line.startswith("| `")]
+    tables = ("tracers", "probe", "sph.region")  # lists of tables, never swept
+    asked = [name for name in names if not name.startswith(tables)]
+    assert len(asked) > 100 and _runs._LISTS <= set(asked)
+    for name in asked:
+        said = subprocess.run([program, "check", "cylinder", f"{name}=[[[]]]"],
+                              capture_output=True, text=True).stderr
+        if "needs the key" not in said:  # of its table another comes first
+            refused = f" {name} is an array; " in said
+            assert refused == (name not in _runs._LISTS), said
+    for value in ([0.1], []):
+        with pytest.raises(ValueError, match="makes no sweep"):
+            vortree.run("cylinder", out=tmp_path / "none", accuracy=value)
+    with pytest.raises(ValueError, match="an array of numbers|number"):
+        vortree.run("cylinder", out=tmp_path / "none", output={"fields": ["a"]})
