@@ -77,7 +77,7 @@ def run(scene: _Path, *, out: _Path | None = None, resume: bool = False,
     True
 
     >>> sweep = vortree.run("cylinder", out=folder.name + "/sweep", accuracy=[0.1, 0.05],
-    ...                     time={"end": 0.1})
+    ...                     time={"end": 0.1}, output={"fields": []})
     >>> [case["accuracy"] for case in sweep.cases], sweep.passed
     ([0.1, 0.05], True)
     >>> bool(sweep.table["particles"][1] == sweep[1].report["blobs"].max())
@@ -350,9 +350,10 @@ def find_program() -> Path:
 
 
 # Keys whose value is a list of numbers; a test holds them against the program's.
-_LISTS = {"body.centre", "body.motion.about", "body.points", "flow.stream", "initial.centre",
-          "merging.box", "motion.about", "output.fields", "output.window", "plunge.direction",
-          "sph.box"}
+_LISTS = {"body.centre", "body.motion.about", "body.points", "check.lift_phases_deg",
+          "check.lift_rms_each", "check.mean_drag_each", "check.mean_lift_each", "flow.stream",
+          "initial.centre", "merging.box", "motion.about", "output.fields", "output.window",
+          "plunge.direction", "sph.box"}
 # What the program writes in place of these in the name of a folder.
 _IN_NAMES = str.maketrans('/ "', "___")
 
