@@ -238,6 +238,11 @@ TEST_CASE("tasks of different lists, and runs of different scenes, do not come t
   CHECK(gathered.code == 1);
   CHECK(gathered.out.find(", 0 unfinished, 4 missing: ") != std::string::npos);
 
+  CHECK(call("run vortex.toml --out 'parts/by hand'", folder).code == 0);
+  CHECK(call("sweep parts", folder)
+            .err.find("warning: parts/by hand is no run of the list, and is left out") !=
+        std::string::npos);
+
   refused("sweep nowhere", "nowhere: no such folder");
   refused("sweep parts/time.scheme=rk4,time.dt=0.01", "there is no sweep.json");
   folder.write("parts/sweep.json", "{");
