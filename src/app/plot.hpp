@@ -15,9 +15,9 @@ const std::vector<std::string>& figure_formats();
 /// Draws every figure that the files of a run or a bench allow: runs each script of plots/ with the
 /// folder and the formats as its arguments, one after another, all in one /usr/bin/python3.
 ///
-/// plots/X.py draws X.png, or X.pdf, X.svg, into the folder and prints its name; where the folder lacks what it
-/// needs, it writes nothing and leaves with 0. A figure shows the other files of its folder, so
-/// that an older one of them is replaced.
+/// plots/X.py draws X.png, or X.pdf, X.svg, into the folder and prints its name; where the folder
+/// lacks what it needs, it writes nothing and leaves with 0. A figure shows the other files of its
+/// folder, so that an older one of them is replaced.
 ///
 /// kind     only scripts whose names begin with it: "neighbors", "trees", "velocity"
 /// formats  of figure_formats(); none: png

@@ -30,8 +30,8 @@ std::string summary(const io::Scene& scene, const std::filesystem::path& folder,
                     const Totals& totals, std::span<const std::string> origin,
                     std::span<const checks::Verdict> verdicts);
 
-/// What summary.json in a folder says of a run that has ended: the numbers of its RunResult, bit for
-/// bit (of one that is not finite, that it is none). None if there is no summary.
+/// What summary.json in a folder says of a run that has ended: the numbers of its RunResult, bit
+/// for bit (of one that is not finite, that it is none). None if there is no summary.
 /// throws  io::InputError if it is damaged, or an earlier version has written it
 std::optional<RunResult> result_in(const std::filesystem::path& folder);
 

@@ -55,7 +55,7 @@ std::string timeless_words(const std::string& out) {
 
 /// The folder is named at the end of what is printed.
 std::string table_in(const std::string& out) {
-  const auto from = out.find("time.scheme"), to = out.find("results in", from);
+  const auto from = out.find("time.scheme  time.dt"), to = out.find("results in", from);
   return from == std::string::npos ? "" : timeless_words(out.substr(from, to - from));
 }
 
@@ -256,8 +256,8 @@ TEST_CASE("a task beyond the list has nothing to do; one that cannot be is refus
   const auto idle = call(list + "--only 7/8", folder);
   CHECK(idle.code == 0);
   CHECK(idle.out == "task 7 of 8 has nothing to do: the list has 6 runs\n");
-  for (const std::string words : {list + "--only 9/8", list + "--only 0/8", list + "--only 7",
-                                  std::string("run vortex.toml --only 1/2")}) {
+  for (const std::string& words : {list + "--only 9/8", list + "--only 0/8", list + "--only 7",
+                                   std::string("run vortex.toml --only 1/2")}) {
     const auto outcome = call(words, folder);
     CAPTURE(words, outcome.err);
     CHECK(outcome.code == 2);

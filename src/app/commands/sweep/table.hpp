@@ -23,8 +23,8 @@ std::string table(const SweepPlan& plan, std::span<const Member> members);
 void write_csv(const std::filesystem::path& file, const std::string& scene, const SweepPlan& plan,
                std::span<const Member> members);
 
-/// One line: the runs that failed, are not at their ends, have not begun or missed their checks, the
-/// first few with the reason; nothing if all went well.
+/// One line: the runs that failed, are not at their ends, have not begun or missed their checks,
+/// the first few with the reason; nothing if all went well.
 std::string what_went_wrong(const SweepPlan& plan, std::span<const Member> members);
 
 }  // namespace vortree::app
