@@ -49,8 +49,8 @@ std::string last_line(std::string text) {
 constexpr int refused_input = 2;
 
 // Runs the scripts one after another as if each were called alone: python SCRIPT FOLDER FORMATS.
-// Python and matplotlib take longer to begin than most figures to draw. Who prints no name has drawn
-// nothing.
+// Python and matplotlib take longer to begin than most figures to draw. Who prints no name has
+// drawn nothing.
 constexpr int nothing_drawn = 3;
 constexpr const char* runner = R"(
 import contextlib, io, os, runpy, sys, traceback
