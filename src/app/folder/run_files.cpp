@@ -52,13 +52,6 @@ bool may_change(std::string_view key) {
          key.starts_with("check.");
 }
 
-/// The table, or key at the top, of the first difference that would change the flow, or nothing.
-std::string difference(const io::Scene& a, const io::Scene& b) {
-  const std::string name = io::first_difference(a, b, may_change);
-  const std::size_t dot = name.find('.');
-  return dot == std::string::npos ? name : fmt::format("[{}]", name.substr(0, dot));
-}
-
 /// What scenes were like before they knew of a key: blobs were split into rings.
 std::vector<std::string> before_its_keys(std::string_view resolved) {
   const std::size_t table = resolved.find("[splitting]\n");
@@ -141,13 +134,19 @@ io::Frame RunFiles::last_frame() const {
   if (!found.warning.empty()) say_line(found.warning);
   if (!found.last) throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));
   const io::Scene was = stored_scene(found.info, file, scene_);
-  if (const std::string where = difference(was, scene_); !where.empty())
+  if (const std::string where = flow_difference(was, scene_); !where.empty())
     throw io::InputError(
         fmt::format("{}: was run with another {} than {} has now, or than this version "
                     "chooses; only time.end, [output] and [check] may change on the way",
                     file.string(), where, scene_.origin.path.string()));
   require_time_of_step(*found.last, scene_.time.dt, file);
   return *std::move(found.last);
+}
+
+std::string flow_difference(const io::Scene& a, const io::Scene& b) {
+  const std::string name = io::first_difference(a, b, may_change);
+  const std::size_t dot = name.find('.');
+  return dot == std::string::npos ? name : fmt::format("[{}]", name.substr(0, dot));
 }
 
 io::Scene scene_of_frames(const fs::path& frames, const io::Scene& now) {

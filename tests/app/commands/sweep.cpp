@@ -1,12 +1,12 @@
-#include "app/commands/sweep.hpp"
+#include "app/commands/sweep/sweep.hpp"
 
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/commands/sweep_seconds.hpp"
-#include "app/commands/sweep_table.hpp"
+#include "app/commands/sweep/seconds.hpp"
+#include "app/commands/sweep/table.hpp"
 #include "app/program.hpp"
 #include "checks/convergence.hpp"
 #include "io/input_error.hpp"
