@@ -12,7 +12,7 @@ Vec2 way_of(const Case& of) {
   if (u != 0 || v != 0) return {u, v};
   const body::Motion motion = body::motion_of(of.plunge, of.motion);
   if (motion.plunge.frequency > 0) return motion.plunge.amplitude;
-  return -1 * fastest_velocity(of);
+  return -1 * body::fastest_velocity(bodies_of(of), of.time.end);
 }
 
 bool begins_at_once(const body::Motion& motion) {
