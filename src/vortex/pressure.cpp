@@ -95,35 +95,41 @@ body::Kinematics motion_of(const Problem& p, std::size_t body, double time) {
   return now;
 }
 
-/// What a body's wall has gained of its acceleration along each panel since the middle of the step.
-void add_gain(const Problem& p, std::size_t body, std::span<double> gain) {
-  const body::Kinematics now = motion_of(p, body, p.time),
-                         between = motion_of(p, body, p.time - p.dt / 2);
-  const double spin_up = now.spin_up - between.spin_up,
-               squares = now.rate * now.rate - between.rate * between.rate;
-  const Ring& ring = p.wall->rings()[body];
+/// What a body's acceleration, its spin-up and the square of its rate have gained since the middle
+/// of the step.
+struct LateGain {
+  Vec2 acceleration;
+  double spin_up, squares;
+
+  LateGain(const Problem& p, std::size_t body) {
+    const body::Kinematics now = motion_of(p, body, p.time),
+                           between = motion_of(p, body, p.time - p.dt / 2);
+    acceleration = now.acceleration - between.acceleration;
+    spin_up = now.spin_up - between.spin_up;
+    squares = now.rate * now.rate - between.rate * between.rate;
+  }
+};
+
+/// Along each panel of a body's wall.
+void add_gain(const Wall& wall, const Ring& ring, const LateGain& of, std::span<double> gain) {
   for (std::size_t i = ring.first; i < ring.end(); ++i) {
-    const Vec2 x = p.wall->middle(i) - ring.centre;
-    gain[i] += dot(now.acceleration - between.acceleration + spin_up * left_of(x) - squares * x,
-                   p.wall->tangent(i));
+    const Vec2 x = wall.middle(i) - ring.centre;
+    gain[i] += dot(of.acceleration + of.spin_up * left_of(x) - of.squares * x, wall.tangent(i));
   }
 }
 
-/// Adds to a slip what the same leaves of it beyond the patches of bodies that turn; tells how much
+/// Adds to a slip what gains leave of it beyond the patches of bodies that turn; tells how much
 /// circulation each asks for.
-std::vector<double> add_slip_of_gain(const Problem& p, std::span<double> slip) {
+std::vector<double> add_slip_of(std::span<const LateGain> gains, const Problem& p,
+                                std::span<double> slip) {
   std::vector<double> totals;
-  for (std::size_t k = 0; k < p.wall->rings().size(); ++k) {
-    const body::Kinematics now = motion_of(p, k, p.time),
-                           between = motion_of(p, k, p.time - p.dt / 2);
+  for (std::size_t k = 0; k < gains.size(); ++k) {
     const Ring& ring = p.wall->rings()[k];
-    const Vec2 faster = now.acceleration - between.acceleration;
     for (std::size_t i = ring.first; i < ring.end(); ++i)
-      slip[i] -= dot(faster, p.wall->tangent(i));
-    const double spin_up = now.spin_up - between.spin_up;
+      slip[i] -= dot(gains[k].acceleration, p.wall->tangent(i));
     for (std::size_t i = 0; !p.turning.empty() && i < slip.size(); ++i)
-      slip[i] += spin_up * p.turning[k].slip[i];
-    totals.push_back(p.turning.empty() ? 0 : -spin_up * p.turning[k].circulation);
+      slip[i] += gains[k].spin_up * p.turning[k].slip[i];
+    totals.push_back(p.turning.empty() ? 0 : -gains[k].spin_up * p.turning[k].circulation);
   }
   return totals;
 }
@@ -140,9 +146,11 @@ std::vector<double> slope_now(const Problem& p, std::span<const double> of_step)
   const Vec2 faster =
       Turn(-now.angle)(now.acceleration) - Turn(-between.angle)(between.acceleration);
   std::vector<double> slip = wall.slip(-1.0 * faster, Velocities(2 * wall.panels()), {}, {});
-  const std::vector<double> totals = add_slip_of_gain(p, slip);
+  std::vector<LateGain> gains;
+  for (std::size_t k = 0; k < wall.rings().size(); ++k) gains.emplace_back(p, k);
+  const std::vector<double> totals = add_slip_of(gains, p, slip);
   std::vector<double> gain = wall.sheet(slip, totals);
-  for (std::size_t k = 0; k < wall.rings().size(); ++k) add_gain(p, k, gain);
+  for (std::size_t k = 0; k < gains.size(); ++k) add_gain(wall, wall.rings()[k], gains[k], gain);
   for (std::size_t i = 0; i < slope.size(); ++i) slope[i] -= gain[i];
   return slope;
 }
