@@ -31,9 +31,9 @@ namespace vortree::vortex {
 /// minus the rate of change of what flows through their walls, 0.
 ///
 /// slope  dp/ds along each panel (slope_at_end)
-/// error  of the level: O(core^2); 0.0019 U^2 where cores that are released are a seventh of a layer
-///        sqrt(4 nu t), 0.0010 where they are a tenth (tests/vortex/wall_pressure.cpp); of the slope
-///        O(dt^2)
+/// error  of the level: O(core^2); 0.0019 U^2 where cores that are released are a seventh of a
+///        layer sqrt(4 nu t), 0.0010 where they are a tenth (tests/vortex/wall_pressure.cpp); of
+///        the slope O(dt^2)
 /// cost   that of one velocity of all blobs with its gradient, and two of the sheet for each body
 std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
                                   std::span<const double> slope);
