@@ -135,7 +135,7 @@ void integrate(std::span<const double> slope, double b, std::span<double> p) {
 
 }  // namespace
 
-std::vector<double> slope_at_end(const Slopes& known, double time, double dt, bool impulsive) {
+std::vector<double> slope_at_end(const SlopeMeans& known, double time, double dt, bool impulsive) {
   const EndOfParabola end(time, dt, impulsive);
   std::vector<double> slope;
   for (std::size_t i = 0; i < known.last.size(); ++i)

@@ -40,7 +40,7 @@ std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
 
 /// Means of dp/ds along each panel over the last step and over the one before, if there is one
 /// (Wake::pressure_slope).
-struct Slopes {
+struct SlopeMeans {
   std::span<const double> last, before;
 };
 
@@ -49,7 +49,7 @@ struct Slopes {
 /// 1/sqrt(t); of the first step of all by a line.
 /// error  dt^2/3 of the second rate of change, of the first step O(dt); of noise that the means do
 ///        not share 1.6 times theirs
-std::vector<double> slope_at_end(const Slopes& known, double time, double dt, bool impulsive);
+std::vector<double> slope_at_end(const SlopeMeans& known, double time, double dt, bool impulsive);
 
 /// The integral of a slope around each body, from anywhere on; what would not close is spread
 /// evenly.
