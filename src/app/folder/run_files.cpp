@@ -93,7 +93,8 @@ void RunFiles::require_outputs() const {
   std::vector<fs::path> inputs{scene_.origin.path};
   for (const auto& reference :
        {scene_.check.drag_reference, scene_.check.lift_reference,
-        scene_.check.wall_vorticity_reference, scene_.check.moments_reference})
+        scene_.check.wall_vorticity_reference, scene_.check.front_pressure_reference,
+        scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
   for (const body::BodySettings& body : flow::every_body(scene_))
     for (const auto& file : {body.file, body.motion ? body.motion->file : std::nullopt})

@@ -89,12 +89,6 @@ std::size_t Wall::ring_of(std::size_t panel) const {
   return k;
 }
 
-std::size_t Wall::ring_at(double arc) const {
-  std::size_t k = rings_.size() - 1;
-  while (k > 0 && arc < rings_[k].arc) --k;
-  return k;
-}
-
 std::vector<double> Wall::kernel(std::size_t i) const {
   const body::WallPoint at = shape_->nearest(middle_[i]);
   std::vector<double> k(panels());
