@@ -90,7 +90,7 @@ def same(flow, other):
     return True
 
 
-FEW = {"accuracy": 0.1, "time": {"end": 0.2}}
+FEW = {"accuracy": 0.1, "time": {"end": 0.2}, "output": {"fields": []}}
 PAIR = {"accuracy": 0.1, "time": {"end": 0.4}}
 
 
@@ -159,7 +159,7 @@ def test_only_the_end_may_change_on_the_way(tmp_path):
     assert later.last_step > flow.last_step and same(flow, later)
     with pytest.raises(ValueError, match=r"state.h5: was run with another \[velocity\]"):
         vortree.Simulation.restore(tmp_path / "state.h5", velocity={"tolerance": 1e-9})
-    with pytest.raises(ValueError, match="did you mean time.end"):
+    with pytest.raises(ValueError, match="did you mean end"):
         vortree.Simulation.restore(tmp_path / "state.h5", time={"nd": 1})
 
 
@@ -224,7 +224,10 @@ def test_probes_are_those_of_a_run_to_the_bit(tmp_path):
         mine = told["probe"] == number
         assert np.array_equal(np.repeat(probe.t, probe.x.size), told["t"][mine])
         for name in ("u", "v", "omega"):
-            assert np.array_equal(getattr(probe, name).ravel(), told[name][mine]), name
+            ours, theirs = getattr(probe, name), told[name][mine].reshape(len(probe), -1)
+            assert np.array_equal(ours[1:], theirs[1:]), name
+            # Asked alone and asked together: another order of the same sums, of terms of up to 1.
+            assert np.allclose(ours[0], theirs[0], rtol=0, atol=1e-13), name
     assert len(points) == flow.steps + 1 and 1 < len(line) < len(points)
     assert points.u.shape == (len(points), 3) and not points.u[:, 1].any()  # within the body
 

@@ -217,7 +217,9 @@ class Simulation:
         -------
         Probe
             Its columns t, u, v, omega grow with the flow; the first row is that of now, if it is
-            due. The numbers are those that [[probe]] of a run writes into probes.csv.
+            due. The numbers are those that [[probe]] of a run writes into probes.csv, to the last
+            bit where the same probes are due; at a probe's first row it is asked alone, and the
+            order of a sum may be another.
 
         Raises
         ------
