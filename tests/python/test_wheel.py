@@ -77,7 +77,7 @@ SUM = """
 import numpy as np, vortree
 u, v = vortree.velocity([-1, 1], [0, 0], [2 * np.pi, 2 * np.pi])
 assert vortree.Neighbors([0.1, 0.9], [0, 0], 0.3, boxsize=1).query_pairs() == {(0, 1)}
-print(vortree.__file__, v)
+print(vortree.__file__, v.round(6))
 """
 
 
