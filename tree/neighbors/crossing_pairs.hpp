@@ -24,14 +24,14 @@ namespace vortree::tree {
 /// the pair: only particles whose own reach goes over an edge look around, and only at those that
 /// are no farther from an edge than the largest reach. Under rule own each looks for itself.
 ///
-/// cost    O(n) for placing, with a tree of those near an edge (ball_search.hpp); a search in it for
-///         each that looks around, and a copy of the list. Memory kept: of those near an edge some
-///         60 bytes each, 4 for each that looks around
+/// cost    O(n) for placing, with a tree of those near an edge (ball_search.hpp); a search in it
+///         for each that looks around, and a copy of the list. Memory kept: some 60 bytes for each
+///         near an edge
 class CrossingPairs {
  public:
   /// reach   one for each point [m]
-  /// throws  std::invalid_argument if sizes differ, as check_particles() (tree/cells/home_cells.hpp)
-  ///         and as check_inside() do
+  /// throws  std::invalid_argument if sizes differ, as check_particles() does
+  ///         (tree/cells/home_cells.hpp) and as check_inside() does
   CrossingPairs(Points points, std::span<const double> reach, const PeriodicBox& box);
 
   /// Adds them to lists of the same particles in the plane, behind what each row holds.
