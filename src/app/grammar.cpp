@@ -77,6 +77,24 @@ const CLI::Validator a_share(
     },
     "");
 
+/// L or LX,LY; 0: not periodic that way.
+std::optional<tree::PeriodicBox> box_in(std::string_view word) {
+  const auto comma = word.find(',');
+  const auto x = number_in<double>(word.substr(0, comma));
+  const auto y = comma == word.npos ? x : number_in<double>(word.substr(comma + 1));
+  const auto fit = [](double length) { return length >= 0 && std::isfinite(length); };
+  if (!x || !y || !fit(*x) || !fit(*y)) return std::nullopt;
+  return tree::PeriodicBox{*x, *y};
+}
+
+const CLI::Validator a_box(
+    [](const std::string& word) {
+      if (box_in(word)) return std::string();
+      return fmt::format("{} is no length L or LX,LY of finite numbers >= 0",
+                         io::shortened(word, 40));
+    },
+    "");
+
 const CLI::Validator a_list_of_quantities(
     [](const std::string& word) {
       try {
@@ -290,6 +308,13 @@ void add_neighbors(CLI::App& program, Words& words) {
       ->check(CLI::IsMember(neighbor_methods()))
       ->type_name("NAME")
       ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--periodic", [&job](const std::string& word) { job.box = box_in(word).value(); },
+          "in a box [0, LX) x [0, LY) that goes around, by nearest images; one length is that of "
+          "both, of 0 the box does not go around that way")
+      ->check(a_box)
+      ->type_name("LX,LY");
   command.add_flag("--half", job.half, "list each pair once");
   command.add_option("--repeat", job.repeat, "search so many times, report median times")
       ->check(within(1, most_repeats))

@@ -65,10 +65,6 @@ class RunFiles {
   std::vector<double> fields_;  ///< times of the pictures so far, but for those that are lost
 };
 
-/// The first table, or key at the top, by which two scenes would be different flows, or nothing:
-/// where a run ends, what it writes and what it is held against may change on its way.
-[[nodiscard]] std::string flow_difference(const io::Scene& a, const io::Scene& b);
-
 /// The scene that a run was run with, read as `now` is: by the same name, with the same methods.
 /// throws  io::InputError, with the name of the frames file, if it does not say
 [[nodiscard]] io::Scene scene_of_frames(const std::filesystem::path& frames, const io::Scene& now);

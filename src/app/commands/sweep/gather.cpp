@@ -18,6 +18,7 @@
 #include "app/say.hpp"
 #include "io/files.hpp"
 #include "io/frames/read.hpp"
+#include "io/frames/stored_scene.hpp"
 #include "io/input_error.hpp"
 
 namespace vortree::app {
@@ -39,7 +40,7 @@ std::optional<io::Scene> changed_scene(const KeptPlan& kept, const Member& m, co
   io::Scene now = scene_of(kept, m);
   const io::Scene was = scene_of_frames(file, now);
   if (now.origin.step_chosen) now.time.dt = was.time.dt;
-  const std::string where = flow_difference(was, now);
+  const std::string where = io::flow_difference(was, now);
   if (where.empty()) return now;
   throw io::InputError(
       fmt::format("{}: is a run of another {} than its sweep has: it does not belong to the others",

@@ -5,10 +5,10 @@
 
 #include <optional>
 
-#include "app/folder/run_files.hpp"
 #include "app/install_paths.hpp"
 #include "app/json.hpp"
 #include "io/files.hpp"
+#include "io/frames/stored_scene.hpp"
 #include "io/input_error.hpp"
 
 namespace vortree::app {
@@ -58,7 +58,7 @@ bool same_flow(const KeptPlan& older, const KeptPlan& now) {
   io::Scene then = scene_of(older, first);
   const io::Scene scene = scene_of(now, first);
   if (then.origin.step_chosen && scene.origin.step_chosen) then.time.dt = scene.time.dt;
-  return flow_difference(then, scene).empty();
+  return io::flow_difference(then, scene).empty();
 }
 
 /// Why a list may not take the place of another; none if it may.
