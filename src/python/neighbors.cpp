@@ -55,20 +55,34 @@ std::int64_t room_for_pairs(std::size_t rows, std::size_t points, std::size_t by
   return static_cast<std::int64_t>(free_memory() / bytes_a_pair);
 }
 
-tree::Buffer<double> distances_of(const PairList& rows, const PlacesByNumber& at,
-                                  const tree::PeriodicBox& box) {
-  const double period_x = tree::period_of(box.x), period_y = tree::period_of(box.y);
-  tree::Buffer<double> distance;
-  distance.renew(rows.index.size());
+template <class Apart>
+void write_distances(const PairList& rows, const Apart& apart, tree::Buffer<double>& distance) {
   const auto write = [&](std::uint32_t i) {
     for (std::int64_t k = rows.start[i]; k < rows.start[i + 1]; ++k) {
       const auto j = static_cast<std::size_t>(rows.index[static_cast<std::size_t>(k)]);
-      distance[static_cast<std::size_t>(k)] =
-          distance_of(tree::nearest_image(at.x[j] - at.x[i], period_x),
-                      tree::nearest_image(at.y[j] - at.y[i], period_y));
+      distance[static_cast<std::size_t>(k)] = apart(i, j);
     }
   };
   tree::share_evenly(tree::all_of(rows.size()), rows.size() > tree::worth_sharing, write);
+}
+
+tree::Buffer<double> distances_of(const PairList& rows, const PlacesByNumber& at,
+                                  const tree::PeriodicBox& box) {
+  tree::Buffer<double> distance;
+  distance.renew(rows.index.size());
+  if (!box.periodic()) {
+    const auto in_plane = [&](std::size_t i, std::size_t j) {
+      return distance_of(at.x[j] - at.x[i], at.y[j] - at.y[i]);
+    };
+    write_distances(rows, in_plane, distance);
+    return distance;
+  }
+  const double period_x = tree::period_of(box.x), period_y = tree::period_of(box.y);
+  const auto in_box = [&](std::size_t i, std::size_t j) {
+    return distance_of(tree::nearest_image(at.x[j] - at.x[i], period_x),
+                       tree::nearest_image(at.y[j] - at.y[i], period_y));
+  };
+  write_distances(rows, in_box, distance);
   return distance;
 }
 

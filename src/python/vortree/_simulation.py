@@ -6,13 +6,16 @@ import math
 import os
 import warnings
 from pathlib import Path
-from typing import Any, Iterator, NoReturn
+from typing import TYPE_CHECKING, Any, Iterator, NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Column, places, thread_count
 from ._runs import Columns, find_program, overrides
+
+if TYPE_CHECKING:
+    from ._flow import Flow
 
 
 class Probe:
@@ -133,7 +136,7 @@ class Simulation:
     def __init__(self, scene: str | os.PathLike[str], *, threads: int | None = None,
                  **keys: Any) -> None:
         self._threads = thread_count(threads)
-        self._flow = _compiled().Flow(os.fspath(_find_scene(scene)), _words(keys), self._threads)
+        self._flow = _compiled()(os.fspath(_find_scene(scene)), _words(keys), self._threads)
         self.probes: list[Probe] = []
         self._warn()
 
@@ -173,7 +176,7 @@ class Simulation:
         flow = cls.__new__(cls)
         flow._threads = thread_count(threads)
         file = Path(path) / "frames.h5" if Path(path).is_dir() else Path(path)
-        flow._flow = _compiled().Flow.restored(os.fspath(file), _words(keys), flow._threads)
+        flow._flow = _compiled().restored(os.fspath(file), _words(keys), flow._threads)
         flow.probes = _probes_of(flow._flow.extras())
         flow._warn()
         return flow
@@ -376,13 +379,13 @@ class Simulation:
         return f"Simulation at t = {self.time:g}, step {self.steps} of {self.last_step}, of {what}s"
 
 
-def _compiled() -> Any:
+def _compiled() -> type[Flow]:
     try:
         from . import _flow
     except ImportError as error:
         raise ImportError("this package was built without the program; ./vortree python builds "
                           "both") from error
-    return _flow
+    return _flow.Flow
 
 
 def _words(keys: dict[str, Any]) -> list[str]:
