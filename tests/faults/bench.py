@@ -72,8 +72,10 @@ class Bench:
     def run(self, scene, folder, *words, faults=None, **more):
         return self.call(self.command(scene, folder, *words), faults, **more)
 
-    def start(self, scene, folder, *words, **more):
-        return subprocess.Popen(self.command(scene, folder, *words), cwd=self.root,
+    def start(self, scene, folder, *words, hangup="default", **more):
+        """hangup: "ignore" as nohup does; nohup of the tests themselves must not be the program's."""
+        command = ["env", f"--{hangup}-signal=HUP", *self.command(scene, folder, *words)]
+        return subprocess.Popen(command, cwd=self.root,
                                 env=self.environment(), stdin=subprocess.DEVNULL,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
 

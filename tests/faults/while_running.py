@@ -108,6 +108,18 @@ def signals(bench, count, random):
                 return "stopped, resumed, the same"
 
             yield Trial("signals", f"{scene} {sent.name}", act)
+
+        def go_on(scene=scene):
+            folder = bench.folder()
+            process = bench.start(scene, folder, hangup="ignore")
+            wait_for_rows(process, folder, 1)
+            process.send_signal(signal.SIGHUP)
+            end = wait_for_end(process)
+            assert end.code == 0, end
+            require_same(bench, scene, folder)
+            return "ran to its end"
+
+        yield Trial("signals", f"{scene} SIGHUP under nohup", go_on)
         for closed in ("pipe", "descriptors", "full"):
 
             def act(scene=scene, closed=closed):
