@@ -22,6 +22,7 @@
 #include "app/commands/movie.hpp"
 #include "app/commands/plot.hpp"
 #include "app/commands/sweep.hpp"
+#include "app/commands/view.hpp"
 #include "app/grammar.hpp"
 #include "app/install_paths.hpp"
 #include "app/loop/threads.hpp"
@@ -111,6 +112,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors));
   if (program.got_subcommand("lyapunov")) tell("{}", lyapunov(words.lyapunov));
   if (program.got_subcommand("movie")) tell("{}\n", movie(words.movie));
+  if (program.got_subcommand("view")) tell("{}\n", view(words.view));
   if (program.got_subcommand("plot")) plot_folder(words.folder);
   return arrived();
 }
