@@ -81,7 +81,7 @@ def about(frames):
         "title": run.scene.get("title", "") or run.folder.resolve().name,
         "particle": run.particle, "letters": letters(body), "digits": digits,
         "columns": frames.columns, "shown": shown, "ends": {"finest": ends.get("finest", 1.0)},
-        "colours": colours_of(shown), "outlines": [one.tolist() for one in frames.outlines()],
+        "colours": colours_of(frames.particles), "outlines": [one.tolist() for one in frames.outlines()],
         "cells": not frames.particles, "most": frames.most,
         "window": frames.window() if len(frames) else [-3.0, 5.0, -3.0, 3.0],
         "history": history(run) if body else None,
@@ -119,16 +119,15 @@ def shown_of(frames, ends):
                          ends.get("speed", [0.0, 1.0]))}
 
 
-def colours_of(shown):
-    """Rows of 256 colours by name: those of two signs, and, if anything has one only, the others;
-    first the ones of its figures."""
+def colours_of(graded):
+    """Rows of 256 colours by name, for two signs and for one; first of each those of the figures.
+
+    graded: where values of one sign are levels and speeds, not vorticity."""
     def row(colours):
         return coded((255 * colours(np.linspace(0, 1, 256))[:, :3] + 0.5).astype(np.uint8).tobytes())
 
-    ones = GRADED if "level" in shown else ONE_SIGN
     return {name: {"bytes": row(colours), "signs": signs}
-            for signs, some in ((True, TWO_SIGNS), (False, ones))
-            if any(one["signs"] == signs for one in shown.values())
+            for signs, some in ((True, TWO_SIGNS), (False, GRADED if graded else ONE_SIGN))
             for name, colours in some.items()}
 
 

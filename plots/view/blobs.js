@@ -2,23 +2,23 @@
 //
 //   omega(x) = sum_j gamma_j / (pi sigma_j^2) exp(-|x - x_j|^2 / sigma_j^2)
 
-import { Instances, placeInColours, programOf } from "vortree/gl.js";
+import { ofDisc, placeInColours, plainTexture, programOf, Discs } from "vortree/gl.js";
 
-/** Half the side of a blob's square, in sigmas: what is left out is exp(-reach^2) of its peak. */
+/** Radius within which a blob is drawn, in sigmas: what is left out is exp(-reach^2) of its peak. */
 export const REACH = { fine: 3.7, quick: 3 };  // 1e-6, 1e-4
 const LEAST = 0.7;  // pixels of a sigma: a narrower blob is drawn as wide, with all its circulation
 
 const vertex = `
-in float x, y, gamma, sigma;
 uniform vec2 centre, size;  // of what is seen, and of the sums in pixels
 uniform float pixel, reach;
 flat out vec4 core;  // place and 1/sigma in pixels; peak
+${ofDisc}
 void main() {
-  float s = max(sigma / pixel, ${LEAST.toFixed(2)}), wide = s * pixel;
-  vec2 at = (vec2(x, y) - centre) / pixel;
-  core = vec4(at + 0.5 * size, 1. / s, gamma / (3.14159265358979 * wide * wide));
-  vec2 corner = 2. * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.;
-  gl_Position = vec4((at + reach * s * corner) / (0.5 * size), 0, 1);
+  vec4 blob = numbers();  // x, y, gamma, sigma
+  float s = max(blob.w / pixel, ${LEAST.toFixed(2)}), wide = s * pixel;
+  vec2 at = (blob.xy - centre) / pixel;
+  core = vec4(at + 0.5 * size, 1. / s, blob.z / (3.14159265358979 * wide * wide));
+  gl_Position = vec4((at + reach * s * corner()) / (0.5 * size), 0, 1);
 }`;
 
 // By the pixel's own place: what is interpolated between corners is off by a part of a pixel.
@@ -35,17 +35,10 @@ void main() { gl_Position = vec4(4. * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 
 
 const inColours = `
 uniform sampler2D sum, colours;
-uniform vec2 size;
 out vec4 colour;
 ${placeInColours}
-float at(ivec2 p) { return texelFetch(sum, clamp(p, ivec2(0), textureSize(sum, 0) - 1), 0).r; }
 void main() {
-  vec2 sums = vec2(textureSize(sum, 0));
-  vec2 p = (gl_FragCoord.xy - 0.5 * size) * (sums.x / size.x) + 0.5 * sums - 0.5;
-  ivec2 k = ivec2(floor(p));
-  vec2 f = p - vec2(k);
-  float value = mix(mix(at(k), at(k + ivec2(1, 0)), f.x),
-                    mix(at(k + ivec2(0, 1)), at(k + ivec2(1, 1)), f.x), f.y);
+  float value = texelFetch(sum, ivec2(gl_FragCoord.xy), 0).r;
   colour = vec4(texture(colours, vec2(texel(place(value)), 0.5)).rgb, 1);
 }`;
 
@@ -58,8 +51,8 @@ export class Blobs {
     this.bits = gl.getExtension("EXT_float_blend") ? 23 : 10;
     this.adding = programOf(gl, vertex, fragment);
     this.colouring = programOf(gl, everywhere, inColours);
-    this.instances = new Instances(gl, ["x", "y", "gamma", "sigma"], this.adding.program);
-    this.texture = gl.createTexture();
+    this.discs = new Discs(gl);
+    this.texture = plainTexture(gl);
     this.target = gl.createFramebuffer();
     this.width = this.height = 0;
   }
@@ -74,8 +67,8 @@ export class Blobs {
       return all;
     };
     const again = (values) => Float32Array.from(owner, (k) => values[k]);
-    this.instances.fill([both(x, x2), both(y, y2), both(gamma, again(gamma)),
-                         both(sigma, again(sigma))]);
+    this.discs.fill([both(x, x2), both(y, y2), both(gamma, again(gamma)),
+                       both(sigma, again(sigma))]);
   }
 
   #resize(width, height) {
@@ -85,8 +78,6 @@ export class Blobs {
     const [inside, kind] = this.bits === 23 ? [gl.R32F, gl.FLOAT] : [gl.R16F, gl.HALF_FLOAT];
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.texImage2D(gl.TEXTURE_2D, 0, inside, width, height, 0, gl.RED, kind, null);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.texture, 0);
   }
@@ -107,11 +98,11 @@ export class Blobs {
     gl.enable(gl.BLEND);
     gl.blendEquation(gl.FUNC_ADD);
     gl.blendFunc(gl.ONE, gl.ONE);
-    this.instances.draw();
+    this.discs.draw(places.table);
     gl.disable(gl.BLEND);
   }
 
-  /** Onto the canvas. */
+  /** Onto the canvas, which is as large. */
   paint(scale, colours) {
     const { gl } = this, { program, places } = this.colouring;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -124,7 +115,6 @@ export class Blobs {
     gl.activeTexture(gl.TEXTURE0);
     gl.uniform1i(places.sum, 0);
     gl.uniform1i(places.colours, 1);
-    gl.uniform2f(places.size, gl.drawingBufferWidth, gl.drawingBufferHeight);
     scale.give(gl, places);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }

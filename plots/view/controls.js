@@ -37,8 +37,11 @@ export function controls(page) {
   ];
 
   const dialog = by("keys");
-  const help = () => (dialog.open ? dialog.close() : dialog.showModal(),
-                      by("help").setAttribute("aria-expanded", dialog.open));
+  const shut = () => by("plane").focus({ preventScroll: true });
+  const help = () => {
+    dialog.open ? (dialog.close(), shut()) : dialog.showModal();
+    by("help").setAttribute("aria-expanded", dialog.open);
+  };
   const list = document.createElement("dl");
   const shown = keys.filter(([key]) => key !== "c" || page.data.run.cells);
   for (const [key, words] of [...shown, ["wheel, two fingers", "zoom"], ["drag", "move"],
@@ -49,7 +52,10 @@ export function controls(page) {
   const close = Object.assign(document.createElement("button"), { textContent: "close" });
   close.addEventListener("click", help);
   dialog.append(list, close);
-  dialog.addEventListener("close", () => by("help").setAttribute("aria-expanded", false));
+  dialog.addEventListener("close", () => {
+    by("help").setAttribute("aria-expanded", false);
+    shut();
+  });
 
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;

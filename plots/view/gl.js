@@ -1,4 +1,4 @@
-// What a WebGL 2 context is asked for: programs, columns of instances, textures.
+// What a WebGL 2 context is asked for: programs, discs, textures.
 
 export function contextOf(canvas) {
   const gl = canvas.getContext("webgl2", { antialias: false, alpha: false });
@@ -27,38 +27,63 @@ export function programOf(gl, vertex, fragment) {
   return { program, places };
 }
 
-/** Columns of floats, one number of each for each instance of a quad. */
-export class Instances {
-  constructor(gl, names, program) {
+const ACROSS = 1024;  // entries in a row of a table
+
+/** For the vertex shader of Discs: the four numbers of the disc that a vertex belongs to, and where
+ * around a disc of radius 1 it stands. */
+export const ofDisc = `
+uniform sampler2D table;
+vec4 numbers() {
+  int k = gl_VertexID / 3;
+  return texelFetch(table, ivec2(k % ${ACROSS}, k / ${ACROSS}), 0);
+}
+vec2 corner() {
+  int k = gl_VertexID % 3;
+  return k == 0 ? vec2(-1.7320509, -1) : k == 1 ? vec2(1.7320509, -1) : vec2(0, 2);
+}`;
+
+/** Discs, each within a triangle, all in one call: what draws by software takes one for each
+ * instance, were they instances. The numbers of each lie in a texture. */
+export class Discs {
+  constructor(gl) {
     this.gl = gl;
-    this.array = gl.createVertexArray();
-    this.buffers = names.map(() => gl.createBuffer());
+    this.none = gl.createVertexArray();
+    this.table = plainTexture(gl);
     this.count = 0;
-    gl.bindVertexArray(this.array);
-    names.forEach((name, k) => {
-      const place = gl.getAttribLocation(program, name);
-      gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[k]);
-      gl.enableVertexAttribArray(place);
-      gl.vertexAttribPointer(place, 1, gl.FLOAT, false, 0, 0);
-      gl.vertexAttribDivisor(place, 1);
-    });
-    gl.bindVertexArray(null);
   }
 
+  /** Four columns, equally long. */
   fill(columns) {
     const { gl } = this;
     this.count = columns[0].length;
-    columns.forEach((values, k) => {
-      gl.bindBuffer(gl.ARRAY_BUFFER, this.buffers[k]);
-      gl.bufferData(gl.ARRAY_BUFFER, values, gl.DYNAMIC_DRAW);
+    const rows = Math.max(1, Math.ceil(this.count / ACROSS));
+    const all = new Float32Array(4 * ACROSS * rows);
+    columns.forEach((values, c) => {
+      for (let k = 0; k < this.count; ++k) all[4 * k + c] = values[k];
     });
+    gl.bindTexture(gl.TEXTURE_2D, this.table);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, ACROSS, rows, 0, gl.RGBA, gl.FLOAT, all);
   }
 
-  draw() {
-    this.gl.bindVertexArray(this.array);
-    this.gl.drawArraysInstanced(this.gl.TRIANGLE_STRIP, 0, 4, this.count);
-    this.gl.bindVertexArray(null);
+  /** place: of the uniform `table`. */
+  draw(place) {
+    const { gl } = this;
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, this.table);
+    gl.uniform1i(place, 0);
+    gl.bindVertexArray(this.none);
+    gl.drawArrays(gl.TRIANGLES, 0, 3 * this.count);
+    gl.bindVertexArray(null);
   }
+}
+
+/** Of which each number is taken as it is. */
+export function plainTexture(gl) {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  return texture;
 }
 
 /** Colours in a row, from low to high, told as bytes of red, green and blue. */

@@ -131,7 +131,7 @@ class Page {
     this.#due = true;
     requestAnimationFrame(() => {
       this.#due = false;
-      this.draw(REACH.quick, this.state.playing || !this.blobs ? 2 : 1.5);
+      this.draw(REACH.quick, this.state.playing ? 2 : 1.5);
       this.#settle();
     });
   }
@@ -143,16 +143,17 @@ class Page {
     }, SETTLED);
   }
 
-  /** coarse: pixels of the canvas for one of the sum. */
+  /** coarse: pixels of the screen for one of the sum, each way. */
   draw(reach = REACH.fine, coarse = 1) {
     const { state, frame, ratio, data: { run } } = this;
-    const canvas = by("field"), width = Math.max(1, Math.round(canvas.clientWidth * ratio));
-    const height = Math.max(1, Math.round(canvas.clientHeight * ratio));
+    const canvas = by("field"), fine = state.what === "sum" ? ratio / coarse : ratio;
+    const width = Math.max(1, Math.round(canvas.clientWidth * fine));
+    const height = Math.max(1, Math.round(canvas.clientHeight * fine));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
     const { scale, camera } = this, { texture } = this.textures[state.colours];
     if (frame && state.what === "sum") {
       this.#fill("sum", () => this.blobs.fill(frame));
-      this.blobs.add(camera, Math.ceil(width / coarse), Math.ceil(height / coarse), reach);
+      this.blobs.add(camera, width, height, reach);
       this.blobs.paint(scale, texture);
     } else if (frame) {
       this.#fill(state.what, () => this.particles.fill(frame, VALUES[state.what](frame, run)));

@@ -1,11 +1,10 @@
 // Particles, or blobs, as discs in the colours of a value of their own; which is nearest to a place.
 
-import { Instances, placeInColours, programOf } from "vortree/gl.js";
+import { ofDisc, placeInColours, programOf, Discs } from "vortree/gl.js";
 
 const LEAST = 1.5;  // pixels of a disc's diameter
 
 const vertex = `
-in float x, y, width, value;
 uniform vec2 centre, scale;
 uniform float least;
 uniform sampler2D colours;
@@ -13,12 +12,14 @@ out vec2 from;
 flat out vec3 colour;
 flat out float soft;
 ${placeInColours}
+${ofDisc}
 void main() {
-  float r = 0.5 * max(width, least);
-  from = 2. * vec2(gl_VertexID & 1, gl_VertexID >> 1) - 1.;
+  vec4 disc = numbers();  // x, y, width, value
+  float r = 0.5 * max(disc.z, least);
+  from = corner();
   soft = 0.5 * least / ${LEAST.toFixed(1)} / r;
-  colour = texture(colours, vec2(texel(place(value)), 0.5)).rgb;
-  gl_Position = vec4((vec2(x, y) - centre + r * from) * scale, 0, 1);
+  colour = texture(colours, vec2(texel(place(disc.w)), 0.5)).rgb;
+  gl_Position = vec4((disc.xy - centre + r * from) * scale, 0, 1);
 }`;
 
 const fragment = `
@@ -45,11 +46,11 @@ export class Particles {
   constructor(gl) {
     this.gl = gl;
     this.drawing = programOf(gl, vertex, fragment);
-    this.instances = new Instances(gl, ["x", "y", "width", "value"], this.drawing.program);
+    this.discs = new Discs(gl);
   }
 
   fill(frame, values) {
-    this.instances.fill([frame.x, frame.y, frame.spacing ?? frame.sigma, values]);
+    this.discs.fill([frame.x, frame.y, frame.spacing ?? frame.sigma, values]);
   }
 
   paint(view, scale, colours) {
@@ -59,16 +60,16 @@ export class Particles {
     gl.clearColor(1, 1, 1, 1);
     gl.clear(gl.COLOR_BUFFER_BIT);
     gl.useProgram(program);
-    gl.activeTexture(gl.TEXTURE0);
+    gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, colours);
-    gl.uniform1i(places.colours, 0);
+    gl.uniform1i(places.colours, 1);
     gl.uniform2f(places.centre, view.x, view.y);
     gl.uniform2f(places.scale, 2 / view.width, 2 / view.height);
     gl.uniform1f(places.least, (LEAST * view.width) / gl.drawingBufferWidth);
     scale.give(gl, places);
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE);
-    this.instances.draw();
+    this.discs.draw(places.table);
     gl.disable(gl.BLEND);
   }
 }
