@@ -57,7 +57,7 @@ def nearest(places, within, walls):
     """Distance from the nearest wall, the point there, its outward normal and curvature; infinitely
     far where no wall is `within`. walls: as walls_of() gives them."""
     n = len(places)
-    distance, foot, normal, bend = np.full(n, np.inf), np.zeros((n, 2)), np.zeros((n, 2)), np.zeros(n)
+    distance, bend, foot, normal = np.full(n, np.inf), np.zeros(n), *np.zeros((2, n, 2))
     for wall in walls:
         near = np.flatnonzero(np.hypot(*(places - wall.centre).T) < wall.radius + within)
         found = wall.nearest(places[near])
@@ -99,7 +99,8 @@ class Polygon:
         length = np.hypot(*edge.T)
         out = np.c_[edge[:, 1], -edge[:, 0]] / length[:, None]
         before = np.roll(out, 1, 0)
-        turn = np.arctan2(before[:, 0] * out[:, 1] - before[:, 1] * out[:, 0], (before * out).sum(1))
+        turn = np.arctan2(before[:, 0] * out[:, 1] - before[:, 1] * out[:, 0],
+                          (before * out).sum(1))
         bends = turn / ((length + np.roll(length, 1)) / 2)
         smooth = np.abs(turn) < SMOOTH
         mean = unit(np.where(smooth[:, None], out + before, out))

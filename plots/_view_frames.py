@@ -1,4 +1,4 @@
-"""The frames of a run as a page takes them: in the units of its figures, small enough to be sent."""
+"""The frames of a run as a page takes them: in the units of its figures, and small."""
 
 import zlib
 
@@ -76,7 +76,7 @@ class Frames:
 
     def angle(self, k):
         """By which the axes of the flow, as it is computed, are turned."""
-        return self.run.angle(self.times[k]) if self.units.body and not self.run.several else 0.0
+        return float(self.run.angle(self.times[k])) if self.units.body else 0.0
 
     def cells(self, k, told):
         """Corner and side of the whole, levels, columns, rows: in the axes of the flow, and in the
@@ -150,7 +150,16 @@ class Frames:
 
     def ends(self):
         """Where the colours of each quantity end: low and high."""
-        return self._ends_of_particles() if self.particles else {"vorticity": self._ends_of_blobs()}
+        if self.particles:
+            return self._ends_of_particles()
+        return {"vorticity": self._ends_of_blobs(), "alone": self._ends_of_each()}
+
+    def _ends_of_each(self):
+        """Of what the vorticity of most blobs alone is."""
+        most = [np.quantile(np.abs(one.gamma / (np.pi * one.sigma**2)), 0.9)
+                for one in map(self.acting, self.sample()) if one.gamma.size]
+        end = rounded(max(np.median(most or [1.0]), 1e-9))
+        return [-end, end]
 
     def _ends_of_blobs(self):
         """As in the figures: by their grids if the run has left any, else by the vorticity at the

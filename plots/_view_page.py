@@ -18,7 +18,8 @@ ONE_SIGN = {"white\u2013red": UPPER, "viridis": matplotlib.colormaps["viridis"],
 GRADED = {name: ONE_SIGN[name] for name in ("viridis", "cividis", "white\u2013red")}
 
 # What a page may load: nothing; where it is served, what comes from there.
-ALONE = "default-src 'none'; script-src 'unsafe-inline' data:; style-src 'unsafe-inline'; img-src data:"
+ALONE = ("default-src 'none'; script-src 'unsafe-inline' data:; style-src 'unsafe-inline'; "
+         "img-src data:")
 SERVED = ("default-src 'none'; script-src 'self' 'unsafe-inline'; style-src 'self'; img-src data:; "
           "connect-src 'self'")
 
@@ -66,8 +67,8 @@ def in_one_file(run, packs):
 
 
 def served(title):
-    head = '<link rel="stylesheet" href="view/style.css">\n' + imported(lambda one: f"./view/{one.name}")
-    return page(title, SERVED, head)
+    head = '<link rel="stylesheet" href="view/style.css">\n'
+    return page(title, SERVED, head + imported(lambda one: f"./view/{one.name}"))
 
 
 def about(frames):
@@ -81,11 +82,12 @@ def about(frames):
         "title": run.scene.get("title", "") or run.folder.resolve().name,
         "particle": run.particle, "letters": letters(body), "digits": digits,
         "columns": frames.columns, "shown": shown, "ends": {"finest": ends.get("finest", 1.0)},
-        "colours": colours_of(frames.particles), "outlines": [one.tolist() for one in frames.outlines()],
+        "colours": colours_of(frames.particles),
+        "outlines": [one.tolist() for one in frames.outlines()],
         "cells": not frames.particles, "most": frames.most,
         "window": frames.window() if len(frames) else [-3.0, 5.0, -3.0, 3.0],
         "history": history(run) if body else None,
-        "rate": float(np.clip(len(frames) / 8, 4, 20)),
+        "rate": float(np.clip(len(frames) / 8, 4, 30)),
     }
 
 
@@ -110,9 +112,11 @@ def shown_of(frames, ends):
     vorticity = f"vorticity  {name['vorticity']}"
     if not frames.particles:
         return {"sum": one("vorticity", vorticity, whirl),
-                "vorticity": one("blobs", f"of each blob alone  {name['vorticity']}", whirl)}
+                "vorticity": one("blobs", f"of each blob alone  {name['vorticity']}",
+                                 ends.get("alone", [-1.0, 1.0]))}
     return {"vorticity": one("vorticity", vorticity, whirl),
-            "level": one("level", "spacing  log\u2082(s/s\u2080)", ends.get("level", [-0.5, 1.0]), True),
+            "level": one("level", "spacing  log\u2082(s/s\u2080)",
+                         ends.get("level", [-0.5, 1.0]), True),
             "pressure": one("pressure", f"pressure  {name['pressure']}",
                             ends.get("pressure", [-1.0, 1.0])),
             "speed": one("speed", "speed  |u|/U" if frames.units.body else "speed  |u|",
@@ -124,7 +128,8 @@ def colours_of(graded):
 
     graded: where values of one sign are levels and speeds, not vorticity."""
     def row(colours):
-        return coded((255 * colours(np.linspace(0, 1, 256))[:, :3] + 0.5).astype(np.uint8).tobytes())
+        bytes_of = (255 * colours(np.linspace(0, 1, 256))[:, :3] + 0.5).astype(np.uint8)
+        return coded(bytes_of.tobytes())
 
     return {name: {"bytes": row(colours), "signs": signs}
             for signs, some in ((True, TWO_SIGNS), (False, GRADED if graded else ONE_SIGN))

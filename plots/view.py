@@ -44,7 +44,8 @@ def chosen(sizes, each):
 def make(folder, out):
     frames = Frames(Run(folder))
     if not len(frames):
-        raise Refused(f"{printable(folder)}: no frame there; output.frames says the time between two")
+        raise Refused(f"{printable(folder)}: no frame there; output.frames says the time between "
+                      "two")
     numbers, apart = chosen(frames.sizes, EACH * (2 if frames.particles else 1))
     run, packs = {**about(frames), "frames": []}, []
     for k in numbers:

@@ -4,7 +4,7 @@
 
 import { ofDisc, placeInColours, plainTexture, programOf, Discs } from "vortree/gl.js";
 
-/** Radius within which a blob is drawn, in sigmas: what is left out is exp(-reach^2) of its peak. */
+/** Radius within which a blob is drawn, in sigmas: exp(-reach^2) of its peak is left out. */
 export const REACH = { fine: 3.7, quick: 3 };  // 1e-6, 1e-4
 const LEAST = 0.7;  // pixels of a sigma: a narrower blob is drawn as wide, with all its circulation
 

@@ -101,7 +101,8 @@ export function tell({ state, data, time }) {
   by("slider").max = Math.max(frames.length - 1, 0);
   by("slider").value = state.k;
   by("slider").setAttribute("aria-valuetext", time);
-  by("time").textContent = frames.length ? `${time}  (${state.k + 1}/${frames.length})` : "no frame yet";
+  const place = `${time}  (${state.k + 1}/${frames.length})`;
+  by("time").textContent = frames.length ? place : "no frame yet";
   by("play").textContent = state.playing ? "\u275a\u275a" : "\u25b6\ufe0e";
   by("play").setAttribute("aria-label", state.playing ? "stop" : "play");
 }

@@ -1,13 +1,12 @@
 // Drag and lift against time, the past strong, with a mark at the frame that is shown.
 
-import { FONT, INK } from "vortree/plane.js";
-import { told } from "vortree/scale.js";
+import { FONT, INK, penOf, told } from "vortree/scale.js";
 
 const GREY = "#999999", LEFT = 46, RIGHT = 12, TOP = 24, BOTTOM = 34;
 
 export class History {
   constructor(canvas, chosen) {
-    Object.assign(this, { canvas, pen: canvas.getContext("2d") });
+    Object.assign(this, { canvas, pen: penOf(canvas) });
     canvas.addEventListener("pointerdown", (event) => chosen(this.#timeAt(event)));
     canvas.addEventListener("pointermove", (event) => event.buttons && chosen(this.#timeAt(event)));
   }
@@ -43,7 +42,7 @@ export class History {
     }
     pen.restore();
     this.#mark(times, curves, now, height);
-    this.#legend(curves);
+    this.#legend(curves, width);
   }
 
   #line(times, curve, until, alpha, width) {
@@ -91,7 +90,7 @@ export class History {
     this.#look({ color: INK, dashes: [] }, 1, 0.8);
     pen.textAlign = "right";
     pen.textBaseline = "middle";
-    for (const value of ticks(low, high, (height - TOP - BOTTOM) / 32)) {
+    for (const value of ticks(low, high, (height - TOP - BOTTOM) / 24)) {
       const [, y] = this.place(0, value);
       pen.strokeStyle = "#e4e4e4";
       pen.beginPath();
@@ -114,20 +113,23 @@ export class History {
     pen.stroke();
   }
 
-  #legend(curves) {
-    const { pen } = this;
+  /** In a row, smaller if there is little room. */
+  #legend(curves, width) {
+    const { pen } = this, wide = (curve) => 40 + pen.measureText(curve.label).width;
+    const part = Math.min(1, (width - LEFT) / curves.reduce((sum, curve) => sum + wide(curve), 0));
     let x = LEFT + 4;
+    pen.font = `${13 * part}px ${FONT}`;
     pen.textAlign = "left";
     pen.textBaseline = "middle";
     for (const curve of curves) {
       this.#look(curve, curve.alpha, 1.8);
       pen.beginPath();
       pen.moveTo(x, 11);
-      pen.lineTo(x + 22, 11);
+      pen.lineTo(x + 22 * part, 11);
       pen.stroke();
       this.#look({ color: INK, dashes: [] }, 1, 0.8);
-      pen.fillText(curve.label, x + 27, 11);
-      x += 40 + pen.measureText(curve.label).width;
+      pen.fillText(curve.label, x + 27 * part, 11);
+      x += 40 * part + pen.measureText(curve.label).width;
     }
   }
 }

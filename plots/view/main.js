@@ -61,7 +61,6 @@ class Page {
   }
 
   set(changes) {
-    if ("what" in changes || "k" in changes) changes = { picked: -1, ...changes };
     const begins = changes.playing && !this.state.playing;
     Object.assign(this.state, changes);
     this.#fitColours();
@@ -81,7 +80,7 @@ class Page {
   async goTo(k) {
     const last = this.data.run.frames.length - 1;
     k = Math.max(Math.min(k, last), 0);
-    if (k !== this.state.k) this.set({ k });
+    if (k !== this.state.k) Object.assign(this.state, { k, picked: -1 });
     await this.#show();
   }
 
@@ -94,7 +93,7 @@ class Page {
     this.frame = frame;
     this.redraw();
     for (const ahead of [k + 1, k + 2]) if (this.data.run.frames[ahead]) this.data.frame(ahead);
-    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    await new Promise((done) => requestAnimationFrame(done));  // after the one that draws
   }
 
   #nearestTo(t) {
@@ -109,7 +108,8 @@ class Page {
   }
 
   pickMiddle() {
-    if (this.frame) this.set({ picked: nearest(this.frame, this.camera.x, this.camera.y, Infinity) });
+    const { frame, camera } = this;
+    if (frame) this.set({ picked: nearest(frame, camera.x, camera.y, Infinity) });
   }
 
   async #play() {
@@ -149,7 +149,8 @@ class Page {
     const canvas = by("field"), fine = state.what === "sum" ? ratio / coarse : ratio;
     const width = Math.max(1, Math.round(canvas.clientWidth * fine));
     const height = Math.max(1, Math.round(canvas.clientHeight * fine));
-    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
     const { scale, camera } = this, { texture } = this.textures[state.colours];
     if (frame && state.what === "sum") {
       this.#fill("sum", () => this.blobs.fill(frame));
@@ -162,7 +163,8 @@ class Page {
       this.gl.clearColor(1, 1, 1, 1);
       this.gl.clear(this.gl.COLOR_BUFFER_BIT);
     }
-    this.plane.draw({ run, frame, cells: state.cells, picked: state.picked, time: this.time }, ratio);
+    const { cells, picked } = state;
+    this.plane.draw({ run, frame, cells, picked, time: this.time }, ratio);
     this.#bar(scale, run.shown[state.what].label);
     by("history").hidden = !run.history;
     if (run.history) this.history.draw(run.history, run.frames[state.k]?.time ?? 0, ratio);

@@ -1,4 +1,4 @@
-// Particles, or blobs, as discs in the colours of a value of their own; which is nearest to a place.
+// Particles, or blobs, as discs in the colours of a value of theirs; which is nearest to a place.
 
 import { ofDisc, placeInColours, programOf, Discs } from "vortree/gl.js";
 

@@ -1,13 +1,12 @@
 // What is drawn upon the flow: bodies, cells of the quadtree, ticks, the time, what was picked.
 
-import { told } from "vortree/scale.js";
+import { FONT, INK, penOf, told } from "vortree/scale.js";
 
-export const INK = "#222222", FONT = "STIX Two Text, STIXGeneral, Times New Roman, serif";
 const BODY = "#4d4d4d";
 
 export class Plane {
   constructor(canvas, camera) {
-    Object.assign(this, { canvas, camera, pen: canvas.getContext("2d") });
+    Object.assign(this, { canvas, camera, pen: penOf(canvas) });
   }
 
   draw({ run, frame, cells, picked, time }, ratio) {

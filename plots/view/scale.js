@@ -1,4 +1,10 @@
-// The scale of colours: from values to places in a row of colours, and its bar.
+// The scale of colours: from values to places in a row of colours, and its bar; numbers and lines
+// of one look.
+
+export const INK = "#222222", FONT = "STIX Two Text, STIXGeneral, Times New Roman, serif";
+
+/** Draws by the processor: few lines, which cost less so where there is no graphics card. */
+export const penOf = (canvas) => canvas.getContext("2d", { willReadFrequently: true });
 
 /** low, high: its ends; signs: whether each sign has a half of the colours; faint: where a
  * logarithmic scale becomes straight, 0 for a linear one. */
@@ -58,17 +64,17 @@ export function drawBar(canvas, scale, words, ratio) {
   const width = canvas.clientWidth, height = canvas.clientHeight;
   canvas.width = width * ratio;
   canvas.height = height * ratio;
-  const pen = canvas.getContext("2d"), top = 10, bottom = height - 10, left = 22, wide = 14;
+  const pen = penOf(canvas), top = 10, bottom = height - 10, left = 22, wide = 14;
   pen.setTransform(ratio, 0, 0, ratio, 0, 0);
   for (let y = top; y < bottom; ++y) {
     const k = Math.round((1 - (y + 0.5 - top) / (bottom - top)) * 255);
     pen.fillStyle = `rgb(${scale.colours.slice(3 * k, 3 * k + 3).join()})`;
     pen.fillRect(left, y, wide, 1.5);
   }
-  pen.strokeStyle = pen.fillStyle = "#222222";
+  pen.strokeStyle = pen.fillStyle = INK;
   pen.lineWidth = 0.7;
   pen.strokeRect(left, top, wide, bottom - top);
-  pen.font = "12px STIX Two Text, STIXGeneral, Times New Roman, serif";
+  pen.font = `12px ${FONT}`;
   pen.textBaseline = "middle";
   for (const value of scale.ticks()) {
     const y = bottom - scale.place(value) * (bottom - top);
@@ -81,6 +87,6 @@ export function drawBar(canvas, scale, words, ratio) {
   pen.translate(10, height / 2);
   pen.rotate(-Math.PI / 2);
   pen.textAlign = "center";
-  pen.font = "13px STIX Two Text, STIXGeneral, Times New Roman, serif";
+  pen.font = `13px ${FONT}`;
   pen.fillText(words, 0, 0, height - 8);
 }

@@ -80,7 +80,7 @@ def grid(box, count=12):
     return np.c_[X.ravel(), Y.ravel()]
 
 
-def bound(frames, k, parts, at, pixel):
+def bound(parts, at, pixel):
     """How far a sum of the page may be off: gamma and sigma are rounded to 2^-14 of themselves,
     places to half a step and then to single floats, as is what is computed of them; what is farther
     than 3.7 sigma is left out, and each addition rounds."""
@@ -102,19 +102,20 @@ def check_sums(page, frames, k, box):
     found = np.array(page.told(f"vortree.sums({grid(box).tolist()})"))
     at, sums = found[:, :2], found[:, 2]
     parts = frames.acting(k).parts()
-    pixel = (box[1] - box[0]) / page.told("document.getElementById('field').clientWidth")
-    exact, most = vorticity(parts, *at.T), bound(frames, k, parts, at, 2 * pixel)
+    pixel = page.told("vortree.page.camera.unit")
+    exact, most = vorticity(parts, *at.T), bound(parts, at, pixel)
     largest = np.abs(exact).max()
-    print(f"  sums in {box}: off by up to {np.abs(sums - exact).max() / largest:.1e} of the largest, "
-          f"{(np.abs(sums - exact) / np.maximum(most, 1e-300)).max():.2f} of the bound")
+    off = np.abs(sums - exact)
+    print(f"  sums in {box}: off by up to {off.max() / largest:.1e} of the largest, "
+          f"{(off / np.maximum(most, 1e-300)).max():.2f} of the bound")
     assert largest > 0.1 * np.abs(frames.ends()["vorticity"]).max(), "nothing to see there"
-    assert (np.abs(sums - exact) <= most + 1e-12 * largest).all()
+    assert (off <= most + 1e-12 * largest).all()
     return at, exact
 
 
 def check_colours(page, kept, at, values, inside):
-    """A picture of the window against the colours of the field; 2 of 255 for rounding of either, and
-    what a pixel's own width of the field may add."""
+    """A picture of the window against the colours of the field; 2 of 255 for rounding of either,
+    and the colours of the pixels around, for a screen's pixel is none of the sum."""
     picture = (255 * imread(kept)[:, :, :3]).round()
     seen = 0
     for (x, y), value in zip(at, values):
@@ -209,7 +210,7 @@ def check_keys(page, frames, told):
     end = time.monotonic() + 60
     while page.told("vortree.page.state.playing") and time.monotonic() < end:
         time.sleep(0.2)
-    assert page.told("vortree.frame") == 6, ("it did not play to its end", page.told("vortree.frame"))
+    assert page.told("vortree.frame") == 6, "it did not play to its end"
     page.press("l")
     assert page.told("vortree.page.scale.faint") > 0
     page.press("l")
@@ -274,7 +275,8 @@ def check_particles(program, folder, kept):
 
 @contextlib.contextmanager
 def served(program, folder):
-    server = subprocess.Popen([program, "view", folder, "--live"], stdout=subprocess.PIPE, text=True)
+    server = subprocess.Popen([program, "view", folder, "--live"], stdout=subprocess.PIPE,
+                              text=True)
     try:
         line = server.stdout.readline()
         assert line.startswith("http://127.0.0.1:"), line
