@@ -36,12 +36,18 @@ class Frames:
         self.columns = PARTICLES if self.particles else BLOBS
         self.most = run.scene.get("velocity", {}).get("capacity", 0) or USUAL
         with run.hdf5("frames.h5") as file:
-            found = sorted((float(file[name].attrs["time"]), name, file[name]["x"].size)
-                           for name in file if name.startswith("frame_"))
+            try:
+                found = sorted((float(file[name].attrs["time"]), name, file[name]["x"].size)
+                               for name in file if name.startswith("frame_"))
+            except (KeyError, OSError):
+                raise self._damaged() from None
         self.times, self.names, self.sizes = ([one[k] for one in found] for k in range(3))
 
     def __len__(self):
         return len(self.times)
+
+    def _damaged(self):
+        return Broken(f"{self.run.folder / 'frames.h5'}: a frame is damaged")
 
     def told(self, k):
         """All columns of the file."""
@@ -54,7 +60,7 @@ class Frames:
                                     ("covariance_xx", "covariance_xy", "x_in_flow", "y_in_flow")
                                     if name in frame["state"]})
             except (KeyError, OSError):
-                raise Broken(f"{self.run.folder / 'frames.h5'}: a frame is damaged") from None
+                raise self._damaged() from None
         return columns
 
     def walls(self, k):

@@ -7,7 +7,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 from _style import Broken, Nothing, Run, printable
 from _view_frames import Frames, packed
-from _view_page import PARTS, about, inside, served
+from _view_page import PARTS, about, inside, served, title_of
 
 KINDS = {".js": "text/javascript", ".css": "text/css"}
 LOST = (Broken, Nothing, OSError, KeyError, ValueError, IndexError)  # of files half written
@@ -18,7 +18,8 @@ class Follower:
 
     def __init__(self, folder):
         self.folder, self.lock = folder, threading.Lock()
-        self.mark, self.told, self.frames, self.packs = None, None, None, {}
+        self.mark, self.told, self.origin, self.packs = None, None, "", {}
+        self.title = title_of(Run(folder))
 
     def _mark(self):
         return [[(self.folder / name).stat()[k] for k in (6, 8)]
@@ -41,9 +42,9 @@ class Follower:
         frames = Frames(run)
         with run.hdf5("frames.h5") as file:
             origin = str(file.attrs.get("checksum", ""))
-        if origin != getattr(self, "origin", origin):
+        if origin != self.origin:
             self.packs.clear()
-        self.frames, self.origin = frames, origin
+        self.origin = origin
         for k, name in enumerate(frames.names):
             if name not in self.packs:
                 beside, columns = frames.frame(k)
@@ -52,7 +53,6 @@ class Follower:
         told = {**about(frames), "origin": origin, "mark": json.dumps(mark),
                 "frames": [self.packs[name][0] for name in frames.names]}
         self.told, self.mark = inside(told), mark
-        self.title = told["title"]
 
     def frame(self, name):
         with self.lock:
@@ -69,14 +69,13 @@ class Answer(BaseHTTPRequestHandler):
         try:
             found = self._found(self.path)
         except LOST as error:
-            words = str(error) or "a file of the run is missing"
+            words = str(error) or "no frame of the run yet"
             return self._send(503, words.encode(errors="replace"), "text/plain")
         return self._send(200, *found) if found else self._send(404, b"not here", "text/plain")
 
     def _found(self, path):
         follower = self.server.follower
         if path == "/":
-            follower.run()
             return served(follower.title).encode(), "text/html; charset=utf-8"
         if path == "/data/run.json":
             return follower.run().encode(), "application/json"
@@ -109,7 +108,6 @@ class Server(ThreadingHTTPServer):
 def serve(folder, port):
     """Until it is interrupted."""
     follower = Follower(folder)
-    follower.run()
     with Server(("127.0.0.1", port), Answer) as server:
         server.follower, port = follower, server.server_address[1]
         server.own_names = {f"127.0.0.1:{port}", f"localhost:{port}"}

@@ -79,7 +79,7 @@ def about(frames):
     apart = np.diff([frames.units.time(t) for t in frames.times])
     digits = int(np.clip(np.ceil(-np.log10(apart.min() + 1e-12)), 0, 4)) if apart.size else 2
     return {
-        "title": run.scene.get("title", "") or run.folder.resolve().name,
+        "title": title_of(run),
         "particle": run.particle, "letters": letters(body), "digits": digits,
         "columns": frames.columns, "shown": shown, "ends": {"finest": ends.get("finest", 1.0)},
         "colours": colours_of(frames.particles),
@@ -89,6 +89,10 @@ def about(frames):
         "history": history(run) if body else None,
         "rate": float(np.clip(len(frames) / 8, 4, 30)),
     }
+
+
+def title_of(run):
+    return run.scene.get("title", "") or run.folder.resolve().name
 
 
 def letters(body):

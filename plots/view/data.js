@@ -44,6 +44,9 @@ function unpacked(bytes, about, columns) {
   return frame;
 }
 
+/** A run that is served cannot be read now. */
+export class NotYet extends Error {}
+
 /** run: title, labels, colours, outlines, history, frames (what stands beside their columns). */
 export class Data {
   static async open() {
@@ -58,7 +61,7 @@ export class Data {
 
   async #asked() {
     const answer = await fetch("data/run.json", { cache: "no-store" });
-    if (!answer.ok) throw new Error(await answer.text());
+    if (!answer.ok) throw new NotYet(await answer.text());
     return answer.json();
   }
 

@@ -3,7 +3,7 @@
 import { Blobs, REACH } from "vortree/blobs.js";
 import { Camera, listen } from "vortree/camera.js";
 import { controls, tell } from "vortree/controls.js";
-import { Data } from "vortree/data.js";
+import { Data, NotYet } from "vortree/data.js";
 import { colourTexture, contextOf } from "vortree/gl.js";
 import { History } from "vortree/history.js";
 import { aboutPicked, Plane } from "vortree/plane.js";
@@ -277,6 +277,7 @@ async function begin() {
   } catch (error) {
     by("said").hidden = false;
     by("said").textContent = error.message;
+    if (error instanceof NotYet) return setTimeout(() => location.reload(), LOOK);
     throw error;
   }
 }
