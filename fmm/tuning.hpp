@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "tree/base/tuning.hpp"
+
 /// Numbers that make sums faster or slower and keep every promise: what each trades, and how flat
 /// its optimum is. Where nothing is said of the optimum it is not known: the number was not varied.
 /// They were chosen on a 2-core EPYC (Zen 3, AVX2); those of threads stand in tree/base/tuning.hpp.
@@ -79,7 +81,8 @@ inline constexpr std::uint32_t leaf_runs = 8, shortest_leaf_run = 1024, longest_
 /// Points below the finest level that a thread encodes at a time.
 inline constexpr std::uint32_t encoded_deep = 512;
 /// Cells whose meetings a thread lists at a time, and how many such portions are left to one.
-inline constexpr std::uint32_t cells_a_portion = 1024, portions_for_one = 2;
+inline const std::uint32_t cells_a_portion = 1024 / tree::sooner;
+inline constexpr std::uint32_t portions_for_one = 2;
 
 // Memory is asked for so many steps before it is read: fewer come too late, more crowd the cache.
 

@@ -31,6 +31,9 @@ matplotlib.rcParams.update({
     "axes.grid": True, "grid.color": "#e4e4e4", "grid.linewidth": 0.6,
     "xtick.color": INK, "ytick.color": INK, "xtick.direction": "out", "ytick.direction": "out",
     "xtick.labelsize": 10, "ytick.labelsize": 10,
+    # Fonts go along: in PDF as TrueType, text that can be searched and edited; in SVG as outlines, for a
+    # page looks the same where STIX is not installed.
+    "pdf.fonttype": 42, "svg.fonttype": "path", "svg.hashsalt": "vortree",
     "lines.linewidth": 1.4, "legend.frameon": False, "legend.fontsize": 10,
 })
 
@@ -369,23 +372,51 @@ def replaced(path):
         part.unlink(missing_ok=True)
 
 
+FORMATS = ("png", "pdf", "svg")
+# Fields, and what has so many parts that as lines it would fill megabytes, are pictures of 300 dots
+# an inch on a page of vectors.
+VECTORS = {"dpi": 300}
+MOST_PARTS, MOST_POINTS = 5000, 50_000
+
+
 def save(figure, path):
+    """The same bytes of the same figure: no date."""
+    kind = path.suffix[1:]
+    options = {} if kind == "png" else VECTORS
+    if kind != "png":
+        rasterize_large(figure)
+    dates = {"pdf": {"CreationDate": None}, "svg": {"Date": None}}
     with replaced(path) as part:
-        figure.savefig(part, format=path.suffix[1:])
+        figure.savefig(part, format=kind, metadata=dates.get(kind), **options)
+
+
+def rasterize_large(figure):
+    """On a page of vectors: a collection of many parts, a line of many points."""
+    for axes in figure.axes:
+        for collection in axes.collections:
+            parts = max(len(collection.get_paths()), len(collection.get_offsets()),
+                        sum(len(path.vertices) for path in collection.get_paths()) // 10)
+            if parts > MOST_PARTS:
+                collection.set_rasterized(True)
+        for line in axes.lines:
+            if len(line.get_xdata()) > MOST_POINTS:
+                line.set_rasterized(True)
 
 
 def main(name, draw):
-    """Runs a script: draw(run) makes the figure, which goes into the folder as `name`."""
-    if len(sys.argv) != 2:
-        sys.exit(f"usage: {sys.argv[0]} DIR   (the folder of a run)")
+    """Runs a script: draw(run) makes the figure, which goes into the folder as `name`, or as what is
+    asked for in its place."""
+    if len(sys.argv) < 2 or not set(sys.argv[2:]) <= set(FORMATS):
+        sys.exit(f"usage: {sys.argv[0]} DIR [{'|'.join(FORMATS)} ...]   (the folder of a run)")
     run = Run(sys.argv[1])
     if not run.folder.is_dir():
         sys.exit(f"{run.folder}: no such folder")
-    try:
-        made = draw(run)
-    except Nothing:
-        return
-    except Broken as error:
-        sys.exit(str(error))
-    save(made, run.folder / name)
-    print(printable(run.folder / name))
+    for kind in sys.argv[2:] or ["png"]:
+        path = (run.folder / name).with_suffix(f".{kind}")
+        try:
+            save(draw(run), path)  # a layout goes on from the one before it: each begins anew
+        except Nothing:
+            return
+        except Broken as error:
+            sys.exit(str(error))
+        print(printable(path))

@@ -49,7 +49,7 @@ def medians(rows, key="seed"):
 
 
 def folder_of(row, keys):
-    """As the program names it: src/app/commands/sweep.cpp."""
+    """As the program names it: src/app/commands/sweep/sweep.cpp."""
     name = ",".join(f"{key}={row[key]}" for key in keys)
     return name.translate(str.maketrans('/ "', "___"))
 

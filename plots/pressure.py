@@ -25,6 +25,7 @@ def draw(run):
     each = 9.2 / max(columns, 2)
     fig = figure(1.8 + each * columns, 0.6 + rows * (0.45 + tall / wide * each),
                  run.scene.get("title") if columns > 1 else None)
+    fig.get_layout_engine().set(w_pad=0.1)  # numbers at the ends of neighbors stay apart
     grid = fig.subplots(rows, columns, sharex=shared, sharey=shared, squeeze=False)
     for axes, field, box in zip(grid.flat, fields, boxes):
         told = panel(axes, field, paint, clip / LINES)

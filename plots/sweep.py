@@ -21,7 +21,7 @@ WORDS = {"drag_max": "drag, largest", "drag_rms": "drag, rms", "bubble_max": "le
          "pressure_rms": "pressure, rms"}
 CLOCKS = {"seconds": "wall time  [s]", "processor_seconds": "time of one processor  [s]"}
 DRAG = ("drag_max", "drag_rms")
-GUIDES = (0.01, 0.003, 0.001)  # src/app/commands/sweep_seconds.cpp
+GUIDES = (0.01, 0.003, 0.001)  # src/app/commands/sweep/seconds.cpp
 LOOKS = [(BLUE, "o"), (ORANGE, "s"), (GREEN, "D"), (RED, "^"), (SKY, "v"), (GREY, "P")]
 
 
@@ -106,7 +106,7 @@ def guide(axes):
     axes.xaxis.set_minor_formatter(NullFormatter())
     for wanted in GUIDES:
         if 0.5 * low < wanted < 2 * high:
-            axes.axvline(wanted, color=INK, lw=0.8, ls=(0, (4, 3)), zorder=0.5)
+            axes.axvline(wanted, color=INK, lw=0.8, ls=(0, (4, 3)), zorder=0.9)  # over grids
             axes.text(wanted, 1.0, f"{100 * wanted:g} %", transform=axes.get_xaxis_transform(),
                       ha="center", va="bottom", fontsize=10, color=INK)
 

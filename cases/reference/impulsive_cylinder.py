@@ -94,8 +94,10 @@ class Bands:
 
 
 class Flow:
-    def __init__(self, reynolds, end, fine):
-        self.nu, self.fine = 2 / reynolds, fine
+    """The stream may set off in any way: `speed`, of T."""
+
+    def __init__(self, reynolds, end, fine, speed=lambda t: 1.0):
+        self.nu, self.fine, self.speed = 2 / reynolds, fine, speed
         self.r = radial_points(self.nu, end, fine)
         self.differences()
         self.t = START
@@ -150,13 +152,14 @@ class Flow:
         f = omega.copy()
         f[0] = f[-EDGE:] = 0
         if body:
-            f[0, 0] = -1
+            f[0, 0] = -self.speed(self.t)
         return self.poisson.solve(f)
 
     def rayleigh(self, t):
         omega = np.zeros((len(self.r), len(self.n)))
         y = self.r - 1
         omega[:, 0] = -2 / np.sqrt(np.pi * self.nu * t) * np.exp(-y**2 / (4 * self.nu * t))
+        omega *= self.speed(t)
         return omega
 
     def d_dr(self, f):
@@ -183,7 +186,7 @@ class Flow:
     def convection(self, omega):
         """u . grad omega; leaves the largest u/spacing in self.fastest."""
         psi = self.psi.copy()
-        psi[:, 0] += self.r
+        psi[:, 0] += self.speed(self.t) * self.r
         r = self.r[:, None]
         u_r = self.cosines(self.n * psi) / r
         u_theta = -self.sines(self.d_dr(psi)) / r
@@ -205,14 +208,14 @@ class Flow:
             self.layer_psi = self.stream(self.layer, body=False)
         f = sum(-b * omega - e * rate for b, e, (_, omega, rate) in zip(back[1:], ahead, self.past))
         f[0] = f[-EDGE:] = 0
+        self.t = t
         omega = self.factor.solve(f)
         psi = self.stream(omega)
         slip = self.wall_d1 @ psi[:7]
-        slip[0] += 1
+        slip[0] += self.speed(t)
         more = -slip / (self.wall_d1 @ self.layer_psi[:7])
         omega += more * self.layer
         self.psi = psi + more * self.layer_psi
-        self.t = t
         self.past = [(t, omega, self.convection(omega))] + self.past[:2]
 
     def advance(self, t):

@@ -97,11 +97,13 @@ void Adaptive::list() {
   core_.resize(cells.size(), 0.0);
   least_core_.resize(cells.size(), Units::largest_core);
   const auto childless = tree_.childless();
-  for (std::uint32_t leaf = 0; leaf < childless.size(); ++leaf) {
-    const auto first = leaves_.points.core.begin() + leaves_.start[leaf];
-    const auto [least, most] = std::minmax_element(first, first + leaves_.size[leaf]);
-    core_[childless[leaf]] = *most, least_core_[childless[leaf]] = *least;
-  }
+  tree::share_evenly(tree::all_of(childless.size()), childless.size() > tree::cells_worth_sharing,
+                     [&](std::uint32_t leaf) {
+                       const auto first = leaves_.points.core.begin() + leaves_.start[leaf];
+                       const auto [least, most] =
+                           std::minmax_element(first, first + leaves_.size[leaf]);
+                       core_[childless[leaf]] = *most, least_core_[childless[leaf]] = *least;
+                     });
   for (std::size_t c = cells.size(); c-- > 1;) {
     double &most = core_[cells[c].parent], &least = least_core_[cells[c].parent];
     most = std::max(most, core_[c]), least = std::min(least, least_core_[c]);

@@ -121,7 +121,7 @@ void FarField<Number>::for_each_batch(const Stage& stage, int level, std::size_t
     for (std::uint32_t b = 0; b < batches; ++b) take(b, spare);
   } else {
     tree::share_in_turn(
-        tree::all_of(batches), 4, true, [&] { return Families(tables_.order, padded_); }, take);
+        tree::all_of(batches), 1, true, [&] { return Families(tables_.order, padded_); }, take);
   }
 }
 

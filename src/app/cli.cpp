@@ -21,7 +21,8 @@
 #include "app/commands/lyapunov.hpp"
 #include "app/commands/movie.hpp"
 #include "app/commands/plot.hpp"
-#include "app/commands/sweep.hpp"
+#include "app/commands/sweep/gather.hpp"
+#include "app/commands/sweep/sweep.hpp"
 #include "app/commands/view.hpp"
 #include "app/grammar.hpp"
 #include "app/install_paths.hpp"
@@ -55,14 +56,17 @@ void refuse_repeated(std::span<const std::string> overrides) {
   }
 }
 
-int run_scene(RunOptions options, int threads) {
+int run_scene(RunOptions options, int threads, const std::string& only) {
   refuse_repeated(options.overrides);
   options.threads = threads;
   if (options.out.empty())
     options.out = std::filesystem::path("runs") / find_scene(options.scene).stem();
   try {
     const SweepPlan plan = sweep_plan(options.overrides);
-    if (!plan.empty()) return sweep(options, plan);
+    if (plan.empty() && !only.empty())
+      throw io::InputError("command line: --only is for a list of runs, as accuracy=0.04,0.02");
+    const auto share = only.empty() ? std::nullopt : std::optional(share_in(only));
+    if (!plan.empty()) return sweep(options, plan, share);
     return run(options).passed() ? done : failed;
   } catch (const std::invalid_argument& broken) {
     // What a library refuses in the middle of a run is not the user's input.
@@ -104,7 +108,8 @@ int print_scene(const Words& words) {
 
 int carry_out(const CLI::App& program, const Words& words) {
   take_threads(words.threads);
-  if (program.got_subcommand("run")) return run_scene(words.run, words.threads);
+  if (program.got_subcommand("run")) return run_scene(words.run, words.threads, words.only);
+  if (program.got_subcommand("sweep")) return gather(words.folder, words.run.figures_as);
   if (program.got_subcommand("check")) return print_scene(words);
   if (program.got_subcommand("velocity")) return print_velocity(words.velocity);
   if (program.got_subcommand("bench")) return run_bench(words.benched, words.bench);
@@ -113,7 +118,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("lyapunov")) tell("{}", lyapunov(words.lyapunov));
   if (program.got_subcommand("movie")) tell("{}\n", movie(words.movie));
   if (program.got_subcommand("view")) tell("{}\n", view(words.view));
-  if (program.got_subcommand("plot")) plot_folder(words.folder);
+  if (program.got_subcommand("plot")) plot_folder(words.folder, words.run.figures_as);
   return arrived();
 }
 

@@ -14,7 +14,9 @@
 #include <system_error>
 
 #include "app/commands/sums/quantities.hpp"
+#include "app/commands/sweep/share.hpp"
 #include "app/install_paths.hpp"
+#include "app/plot.hpp"
 #include "io/quote.hpp"
 
 namespace vortree::app {
@@ -64,6 +66,35 @@ CLI::Validator not_negative() {
                          [](double value) { return value >= 0 && std::isfinite(value); });
 }
 
+const CLI::Validator a_share(
+    [](const std::string& word) {
+      try {
+        (void)share_in(word);
+        return std::string();
+      } catch (const std::invalid_argument& refused) {
+        return std::string(refused.what());
+      }
+    },
+    "");
+
+/// L or LX,LY; 0: not periodic that way.
+std::optional<tree::PeriodicBox> box_in(std::string_view word) {
+  const auto comma = word.find(',');
+  const auto x = number_in<double>(word.substr(0, comma));
+  const auto y = comma == word.npos ? x : number_in<double>(word.substr(comma + 1));
+  const auto fit = [](double length) { return length >= 0 && std::isfinite(length); };
+  if (!x || !y || !fit(*x) || !fit(*y)) return std::nullopt;
+  return tree::PeriodicBox{*x, *y};
+}
+
+const CLI::Validator a_box(
+    [](const std::string& word) {
+      if (box_in(word)) return std::string();
+      return fmt::format("{} is no length L or LX,LY of finite numbers >= 0",
+                         io::shortened(word, 40));
+    },
+    "");
+
 const CLI::Validator a_list_of_quantities(
     [](const std::string& word) {
       try {
@@ -106,6 +137,16 @@ void add_threads(CLI::App& command, Words& words) {
       ->type_name("N");
 }
 
+void add_formats(CLI::App& command, Words& words) {
+  command
+      .add_option("--as", words.run.figures_as,
+                  "figures as png, pdf or svg, or a list of these; png by default")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(figure_formats()))
+      ->type_name("LIST");
+}
+
 CLI::Option* add_scene(CLI::App& command, std::string& scene, std::vector<std::string>& overrides) {
   auto* wanted =
       command.add_option("SCENE", scene, "a TOML file, or the name of a case")->required();
@@ -129,11 +170,28 @@ void add_run(CLI::App& program, Words& words) {
       command.add_flag("--resume", words.run.resume, "go on from the last frame in that folder");
   command.add_flag("--overwrite", words.run.overwrite, "replace the run that is in that folder")
       ->excludes(resume);
+  command
+      .add_option("--only", words.only,
+                  "of a list, as task K of N, each run N-th from the K-th on; K alone: that run. "
+                  "Tasks share the folder; vortree sweep makes their table")
+      ->check(a_share)
+      ->type_name("K/N");
+  add_formats(command, words);
   add_threads(command, words);
   command.footer(
       "example: vortree run cylinder_re550 time.end=1 --out runs/short\n"
       "a list runs one after the other: vortree run lamb_oseen cores.sigma_max=0.06,0.05\n"
       "and so do methods: vortree run cylinder method=vortex,sph flow.reynolds=20,40,100");
+}
+
+void add_sweep(CLI::App& program, Words& words) {
+  auto& command = *program.add_subcommand(
+      "sweep", "make the table and figures of a list of runs of what is there of it");
+  command.add_option("DIR", words.folder, "folder of the list of runs")->required()->check(a_name);
+  add_formats(command, words);
+  command.footer(
+      "example: vortree run cylinder accuracy=0.04,0.02,0.01 --out runs/c --only 2/3\n"
+      "with 1/3 and 3/3 elsewhere, in any order or at once, then: vortree sweep runs/c");
 }
 
 void add_check(CLI::App& program, Words& words) {
@@ -250,6 +308,13 @@ void add_neighbors(CLI::App& program, Words& words) {
       ->check(CLI::IsMember(neighbor_methods()))
       ->type_name("NAME")
       ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--periodic", [&job](const std::string& word) { job.box = box_in(word).value(); },
+          "in a box [0, LX) x [0, LY) that goes around, by nearest images; one length is that of "
+          "both, of 0 the box does not go around that way")
+      ->check(a_box)
+      ->type_name("LX,LY");
   command.add_flag("--half", job.half, "list each pair once");
   command.add_option("--repeat", job.repeat, "search so many times, report median times")
       ->check(within(1, most_repeats))
@@ -377,6 +442,14 @@ void add_bench(CLI::App& program, Words& words) {
   command.footer("example: vortree bench velocity --quick --out quick");
 }
 
+void add_plot(CLI::App& program, Words& words) {
+  auto& command =
+      *program.add_subcommand("plot", "draw the figures of a run or a bench into its folder");
+  command.add_option("DIR", words.folder, "folder of a run or a bench")->required();
+  add_formats(command, words);
+  command.footer("example: vortree plot runs/cylinder --as pdf,png");
+}
+
 }  // namespace
 
 std::unique_ptr<CLI::App> grammar(Words& words) {
@@ -386,6 +459,7 @@ std::unique_ptr<CLI::App> grammar(Words& words) {
   program.require_subcommand(0, 1);
   program.add_subcommand("cases", "list the scenes that come with the program");
   add_run(program, words);
+  add_sweep(program, words);
   add_check(program, words);
   add_velocity(program, words);
   add_neighbors(program, words);
@@ -393,9 +467,7 @@ std::unique_ptr<CLI::App> grammar(Words& words) {
   add_movie(program, words);
   add_view(program, words);
   add_bench(program, words);
-  program.add_subcommand("plot", "draw the figures of a run or a bench into its folder")
-      ->add_option("DIR", words.folder, "folder of a run or a bench")
-      ->required();
+  add_plot(program, words);
   return made;
 }
 

@@ -18,6 +18,7 @@ namespace vortree::app {
 /// All that a command line can say.
 struct Words {
   RunOptions run;
+  std::string only;
   VelocityJob velocity;
   NeighborsJob neighbors;
   LyapunovJob lyapunov;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -48,15 +49,16 @@ std::string last_line(std::string text) {
 
 constexpr int refused_input = 2;
 
-// Runs the scripts one after another as if each were called alone: python SCRIPT FOLDER. Python and
-// matplotlib take longer to begin than most figures to draw. Who prints no name has drawn nothing.
+// Runs the scripts one after another as if each were called alone: python SCRIPT FOLDER FORMATS.
+// Python and matplotlib take longer to begin than most figures to draw. Who prints no name has
+// drawn nothing.
 constexpr int nothing_drawn = 3;
 constexpr const char* runner = R"(
 import contextlib, io, os, runpy, sys, traceback
-folder, *scripts = sys.argv[1:]
+folder, formats, *scripts = sys.argv[1:]
 drawn = False
 for script in scripts:
-    sys.argv = [script, folder]
+    sys.argv = [script, folder, *formats.split()]
     sys.path[0] = os.path.dirname(script)
     told = io.StringIO()
     try:
@@ -126,13 +128,19 @@ Outcome run_python(std::vector<std::string> words, const Heard& heard = {}) {
 
 }  // namespace
 
-bool plot(const fs::path& folder, std::string_view kind) {
+const std::vector<std::string>& figure_formats() {
+  static const std::vector<std::string> known{"png", "pdf", "svg"};
+  return known;
+}
+
+bool plot(const fs::path& folder, std::string_view kind, std::span<const std::string> formats) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw io::InputError(fmt::format("{}: no such folder", folder.string()));
   const std::vector<fs::path> scripts = plot_scripts(kind);
   if (scripts.empty()) return false;
-  std::vector<std::string> words{"-c", runner, folder.string()};
+  std::vector<std::string> words{"-c", runner, folder.string(),
+                                 fmt::format("{}", fmt::join(formats, " "))};
   for (const fs::path& script : scripts) words.push_back(script.string());
   const auto [status, errors] = run_python(std::move(words));
   if (WIFEXITED(status) && WEXITSTATUS(status) == nothing_drawn) return false;

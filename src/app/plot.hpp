@@ -2,24 +2,30 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace vortree::app {
 
+/// What a figure can be saved as: a picture, or pages of vectors.
+const std::vector<std::string>& figure_formats();
+
 /// Draws every figure that the files of a run or a bench allow: runs each script of plots/ with the
-/// folder as its one argument, one after another, all in one /usr/bin/python3.
+/// folder and the formats as its arguments, one after another, all in one /usr/bin/python3.
 ///
-/// plots/X.py draws X.png into the folder and prints its name; where the folder lacks what it
-/// needs, it writes nothing and leaves with 0. A figure shows the other files of its folder, so
-/// that an older one of them is replaced.
+/// plots/X.py draws X.png, or X.pdf, X.svg, into the folder and prints its name; where the folder
+/// lacks what it needs, it writes nothing and leaves with 0. A figure shows the other files of its
+/// folder, so that an older one of them is replaced.
 ///
 /// kind     only scripts whose names begin with it: "neighbors", "trees", "velocity"
+/// formats  of figure_formats(); none: png
 /// returns  whether there was anything to draw
 /// throws   io::InputError if there is no such folder; std::runtime_error that names the script
 ///          and says why, if one fails
-bool plot(const std::filesystem::path& folder, std::string_view kind = {});
+bool plot(const std::filesystem::path& folder, std::string_view kind = {},
+          std::span<const std::string> formats = {});
 
 /// Takes each line that a script writes on standard error, while it runs.
 using Heard = std::function<void(std::string_view line)>;

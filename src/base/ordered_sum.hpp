@@ -6,12 +6,14 @@
 namespace vortree {
 
 /// sum of part(first, last) over 16 parts of 0 .. n, done by all threads and added in order: the
-/// same bits for any number of threads. Values are added by +=, or element by element.
+/// same bits for any number of threads. The last parts are begun first: blobs that were laid along
+/// a wall come last, and cost most. Values are added by +=, or element by element.
 auto ordered_sum(std::size_t n, auto part) {
   constexpr std::ptrdiff_t count = 16;
   std::array<decltype(part(n, n)), count> sums;
 #pragma omp parallel for schedule(dynamic, 1)
-  for (std::ptrdiff_t k = 0; k < count; ++k) sums[k] = part(n * k / count, n * (k + 1) / count);
+  for (std::ptrdiff_t k = count - 1; k >= 0; --k)
+    sums[k] = part(n * k / count, n * (k + 1) / count);
   auto& sum = sums[0];
   for (std::ptrdiff_t k = 1; k < count; ++k) {
     if constexpr (requires { sum += sums[k]; })

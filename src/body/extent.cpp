@@ -51,11 +51,18 @@ bool round(const BodySettings& body) {
   return square_of(*farthest) - square_of(*nearest) < 1e-9 * square_of(*farthest);
 }
 
+std::array<double, 2> half_extent(const Shape& outline) {
+  const std::vector<OutlinePoint> all = outline.trace();
+  return {greatest(outline, all, [](Vec2 at) { return std::abs(at.x); }),
+          greatest(outline, all, [](Vec2 at) { return std::abs(at.y); })};
+}
+
 std::array<double, 2> half_extent(const BodySettings& body) {
-  const auto shape = outline_of(body);
-  const std::vector<OutlinePoint> all = shape->trace();
-  return {greatest(*shape, all, [](Vec2 at) { return std::abs(at.x); }),
-          greatest(*shape, all, [](Vec2 at) { return std::abs(at.y); })};
+  return half_extent(*outline_of(body));
+}
+
+double farthest_of(const Shape& outline) {
+  return std::sqrt(greatest(outline, outline.trace(), square));
 }
 
 bool covers(const BodySettings& body, const std::array<double, 2>& point) {

@@ -4,9 +4,10 @@
 
 #include "base/vec2.hpp"
 #include "body/settings.hpp"
+#include "body/shape.hpp"
 
-// What scenes ask of a body's size and form. All follows from its outline, which each function
-// draws anew; no function knows a shape.
+// What scenes ask of a body's size and form. All follows from its outline, which each function of
+// settings draws anew; no function knows a shape.
 //
 // cost    0.3 to 0.5 ms each, mostly for drawing
 
@@ -39,7 +40,12 @@ struct Tip {
 
 /// Half the sides of the rectangle about its centre, along the axes of the scene, that the body
 /// just fills, to round-off.
+[[nodiscard]] std::array<double, 2> half_extent(const Shape& outline);
 [[nodiscard]] std::array<double, 2> half_extent(const BodySettings& body);
+
+/// The distance from its centre of the place of an outline that is farthest, to round-off: the
+/// radius of the least circle about the centre that holds it [L].
+[[nodiscard]] double farthest_of(const Shape& outline);
 
 /// Whether a point of the scene lies within the body or on its wall.
 [[nodiscard]] bool covers(const BodySettings& body, const std::array<double, 2>& point);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -34,6 +35,8 @@ class Shape {
   virtual double perimeter() const = 0;
   /// Of each of the curves, whose arcs run on from one to the next
   virtual std::vector<double> perimeters() const { return {perimeter()}; }
+  /// The number of the curve that has an arc
+  virtual std::size_t curve_at(double /*arc*/) const { return 0; }
   virtual Vec2 point(double arc) const = 0;
   virtual WallPoint nearest(Vec2 at) const = 0;
   /// nearest(at).distance, to round-off, for those who need no more

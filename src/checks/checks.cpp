@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "checks/at_wall.hpp"
 #include "checks/finished.hpp"
 #include "checks/forces.hpp"
 #include "checks/free_space.hpp"
@@ -13,7 +14,6 @@
 #include "checks/plunge.hpp"
 #include "checks/shedding.hpp"
 #include "checks/spin.hpp"
-#include "checks/wall_vorticity.hpp"
 
 namespace vortree::checks {
 namespace {
@@ -26,11 +26,12 @@ void check_count(std::vector<Verdict>& list, const Finished& run) {
 }
 
 /// All that there are, in the order in which a run tells them.
-constexpr Check all[] = {check_drag,       check_lift,      check_early_drag, check_forces,
-                         check_shedding,   check_plunge,    check_spin,       check_wall_vorticity,
-                         check_lamb_oseen, check_kirchhoff, check_merger,     check_dipole,
-                         check_moments,    check_energy,    check_invariants, check_periodic_flow,
-                         check_count};
+constexpr Check all[] = {check_drag,       check_lift,           check_early_drag,
+                         check_forces,     check_shedding,       check_plunge,
+                         check_spin,       check_wall_vorticity, check_front_pressure,
+                         check_lamb_oseen, check_kirchhoff,      check_merger,
+                         check_dipole,     check_moments,        check_energy,
+                         check_invariants, check_periodic_flow,  check_count};
 
 }  // namespace
 

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "body/extent.hpp"
-#include "body/outlines/shape_group.hpp"
 #include "body/shapes/shapes.hpp"
 #include "flow/steps.hpp"
 
@@ -40,34 +39,11 @@ constexpr double most_picture_points = 1e8;
 constexpr double most_tracers = 1e6;
 constexpr double closest = 0.003;  // of the smaller body's perimeter
 constexpr double farthest = 1e6;   // of the first one's length
-constexpr int moments = 1000;      // of a run, in which places of bodies are looked at
 
 double fastest_plunge(const Case& of) {
   if (!of.plunge) return 0;
   return 2 * std::numbers::pi * of.plunge->frequency * of.plunge->amplitude;
 }
-
-/// The greatest of a course, of its centre and of its turning.
-struct FastestMoves {
-  double speed = 0, acceleration = 0, rate = 0, spin_up = 0;
-
-  explicit FastestMoves(const body::Course& course) {
-    for (const double t : course.times()) {
-      const body::Kinematics now = course.at(t);
-      speed = std::max(speed, std::hypot(now.velocity.x, now.velocity.y));
-      acceleration = std::max(acceleration, std::hypot(now.acceleration.x, now.acceleration.y));
-      rate = std::max(rate, std::abs(now.rate));
-      spin_up = std::max(spin_up, std::abs(now.spin_up));
-    }
-  }
-
-  /// Of the cosines that have the same.
-  double period() const {
-    const double travel = acceleration > 0 ? speed / acceleration : INFINITY;
-    const double turn = spin_up > 0 ? rate / spin_up : INFINITY;
-    return 2 * std::numbers::pi * std::min(travel, turn);
-  }
-};
 
 bool moves_on_its_own(const body::BodySettings& body) {
   return body.motion && body.motion->course.moves();
@@ -76,20 +52,20 @@ bool moves_on_its_own(const body::BodySettings& body) {
 /// Of the centre of a body.
 double fastest_travel(const Case& of) {
   if (std::ranges::any_of(every_body(of), moves_on_its_own)) {
-    const Vec2 fastest = fastest_velocity(of);
+    const Vec2 fastest = body::fastest_velocity(bodies_of(of), of.time.end);
     return std::hypot(fastest.x, fastest.y);
   }
-  return fastest_plunge(of) + (of.motion ? FastestMoves(of.motion->course).speed : 0);
+  return fastest_plunge(of) + (of.motion ? body::FastestMoves(of.motion->course).speed : 0);
 }
 
 /// Of the wall about the centre.
 double fastest_turn(const Case& of) {
   double fastest = 0;
   const double common =
-      of.motion ? std::abs(of.motion->spin) + FastestMoves(of.motion->course).rate : 0;
+      of.motion ? std::abs(of.motion->spin) + body::FastestMoves(of.motion->course).rate : 0;
   for (const body::BodySettings& one : every_body(of)) {
     const double own =
-        one.motion ? std::abs(one.motion->spin) + FastestMoves(one.motion->course).rate : 0;
+        one.motion ? std::abs(one.motion->spin) + body::FastestMoves(one.motion->course).rate : 0;
     const double rate = common + own;
     fastest = std::max(fastest, rate * body::length_of(one) / 2);
   }
@@ -140,7 +116,7 @@ void refuse_body(const Case& of, std::size_t number, const body::BodySettings& b
 
 void refuse_meetings(const Case& of) {
   const body::Bodies bodies = bodies_of(of);
-  for (const NearestApproach& one : meetings(of)) {
+  for (const body::NearestApproach& one : of.meetings) {
     const double least = closest * std::min(bodies[one.first].shape->perimeter(),
                                             bodies[one.second].shape->perimeter());
     if (one.gap >= least) continue;
@@ -308,79 +284,6 @@ std::string key_of_body(const Case& of, std::size_t number, std::string_view key
   return of.others.empty() ? fmt::format("body.{}", key) : fmt::format("body[{}].{}", number, key);
 }
 
-Vec2 fastest_velocity(const Case& of) {
-  Vec2 fastest;
-  for (const body::Body& one : bodies_of(of)) {
-    std::vector<double> times(one.motion.course.times().begin(), one.motion.course.times().end());
-    times.insert(times.end(), one.own.course.times().begin(), one.own.course.times().end());
-    for (int k = 0; one.motion.plunge.frequency > 0 && k <= moments; ++k)
-      times.push_back(of.time.end * k / moments);
-    for (const double t : times)
-      if (const Vec2 v = one.motion.at(t).velocity + one.own.at(t).velocity;
-          dot(v, v) > dot(fastest, fastest))
-        fastest = v;
-  }
-  return fastest;
-}
-
-namespace {
-
-/// As it stands at a time in the frame of all.
-body::PlacedShape placed(const body::Body& body, double t) {
-  const body::Kinematics own = body.own.at(t);
-  return {body.shape, body.centre + own.place, own.angle};
-}
-
-double radius_of(const body::Body& body) {
-  double square = 0;
-  for (const body::OutlinePoint& one : body.shape->trace())
-    square = std::max(square, dot(one.at, one.at));
-  return std::sqrt(square);
-}
-
-/// Where two are nearest to each other; times at which their centres are too far apart for that are
-/// passed over.
-NearestApproach meeting(const body::Bodies& bodies, std::size_t a, std::size_t b, double end) {
-  const double radii = radius_of(bodies[a]) + radius_of(bodies[b]);
-  const bool moves = bodies[a].own.course.moves() || bodies[b].own.course.moves();
-  NearestApproach nearest{a, b, INFINITY, 0};
-  for (int k = 0; k <= (moves ? moments : 0); ++k) {
-    const double t = end * k / moments;
-    const Vec2 way =
-        bodies[a].centre + bodies[a].own.at(t).place - bodies[b].centre - bodies[b].own.at(t).place;
-    if (std::sqrt(dot(way, way)) - radii >= nearest.gap) continue;
-    const double gap = body::gap_between(placed(bodies[a], t), placed(bodies[b], t));
-    if (gap < nearest.gap) nearest.gap = gap, nearest.time = t;
-  }
-  return nearest;
-}
-
-}  // namespace
-
-std::vector<NearestApproach> meetings(const Case& of) {
-  const body::Bodies bodies = bodies_of(of);
-  std::vector<NearestApproach> all;
-  for (std::size_t b = 1; b < bodies.size(); ++b)
-    for (std::size_t a = 0; a < b; ++a) all.push_back(meeting(bodies, a, b, of.time.end));
-  return all;
-}
-
-std::array<double, 4> place_of_body(const Case& of, std::size_t number) {
-  const body::BodySettings& settings = every_body(of)[number];
-  const auto [x, y] = settings.centre;
-  std::array<double, 2> half = body::half_extent(settings);
-  if (!moves_on_its_own(settings)) return {x - half[0], y - half[1], x + half[0], y + half[1]};
-  const body::Body body = bodies_of(of)[number];
-  if (body.own.turns()) half[0] = half[1] = radius_of(body);
-  std::array<double, 4> all{INFINITY, INFINITY, -INFINITY, -INFINITY};
-  for (int k = 0; k <= moments; ++k) {
-    const Vec2 at = body.centre + body.own.at(of.time.end * k / moments).place;
-    all = {std::min(all[0], at.x - half[0]), std::min(all[1], at.y - half[1]),
-           std::max(all[2], at.x + half[0]), std::max(all[3], at.y + half[1])};
-  }
-  return all;
-}
-
 body::Bodies bodies_of(const Case& of) {
   body::Bodies all;
   for (const body::BodySettings& one : every_body(of))
@@ -390,6 +293,10 @@ body::Bodies bodies_of(const Case& of) {
                    body::motion_of(std::nullopt, one.motion),
                    one.panels});
   return all;
+}
+
+void complete_meetings(Case& of) {
+  of.meetings = body::meetings(bodies_of(of), of.time.end);
 }
 
 std::optional<PeriodicFlow> periodic_flow_of(const Case& of) {
@@ -412,9 +319,9 @@ double fastest_of(const Case& of) {
 
 double period_of(const Case& of) {
   const double plunge = of.plunge ? 1 / of.plunge->frequency : INFINITY;
-  double moves = of.motion ? FastestMoves(of.motion->course).period() : INFINITY;
+  double moves = of.motion ? body::FastestMoves(of.motion->course).period() : INFINITY;
   for (const body::BodySettings& one : every_body(of))
-    if (one.motion) moves = std::min(moves, FastestMoves(one.motion->course).period());
+    if (one.motion) moves = std::min(moves, body::FastestMoves(one.motion->course).period());
   return std::min(plunge, std::max(moves, of.time.end / 50));
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/keys.hpp"
-#include "body/bodies.hpp"
+#include "body/travel.hpp"
 #include "flow/initial/settings.hpp"
 #include "flow/settings.hpp"
 
@@ -22,6 +22,7 @@ namespace vortree::flow {
 ///         centre a method may see all
 /// others  those beside it, of the second [[body]] on
 /// motion  of all bodies together, as is plunge
+/// meetings  of several bodies, once a scene has been read
 struct Case {
   std::string title{};
   std::int64_t seed = 1;
@@ -30,6 +31,7 @@ struct Case {
   FlowSettings flow{};
   std::optional<body::BodySettings> body{};
   std::vector<body::BodySettings> others{};
+  std::vector<body::NearestApproach> meetings{};
   std::optional<body::PlungeSettings> plunge{};
   std::optional<body::MotionSettings> motion{};
   std::optional<InitialSettings> initial{};
@@ -60,8 +62,11 @@ void complete_times(Case& of);
 ///         fills the plane
 void refuse_senseless(const Case& of);
 
+/// Fills in meetings. The courses of motions must be there by now.
+void complete_meetings(Case& of);
+
 /// throws  Refused for a body at rest in fluid at rest, and for several that turn together,
-///         overlap, or come to do so. The courses of their motions must be there.
+///         overlap, or come to do so. Courses and meetings must be there.
 void refuse_rest(const Case& of);
 
 /// The speed that coefficients and the Reynolds number go by: of the stream, or without one the
@@ -78,23 +83,6 @@ using BodyList = std::vector<std::reference_wrapper<const body::BodySettings>>;
 
 /// The key of a body's table, as errors name it: body.panels, or of one of several body[1].panels.
 [[nodiscard]] std::string key_of_body(const Case& of, std::size_t number, std::string_view key);
-
-/// The fastest that the centre of any body goes by its motions, as a vector [L/T].
-[[nodiscard]] Vec2 fastest_velocity(const Case& of);
-
-/// Where two of several bodies, first < second, are nearest to each other in a run: how far apart,
-/// negative where they overlap, and when.
-struct NearestApproach {
-  std::size_t first, second;
-  double gap, time;
-};
-
-/// Of all pairs; of those that move against each other the nearest of 1000 even times.
-/// cost  0.3 ms for each time at which a pair is nearer than before
-[[nodiscard]] std::vector<NearestApproach> meetings(const Case& of);
-
-/// The rectangle [x0, y0, x1, y1] that a body fills in the frame of all, wherever it goes in a run.
-[[nodiscard]] std::array<double, 4> place_of_body(const Case& of, std::size_t number);
 
 /// The bodies as they stand at t = 0.
 [[nodiscard]] body::Bodies bodies_of(const Case& of);

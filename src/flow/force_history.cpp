@@ -105,6 +105,10 @@ Measures ForceHistory::of_body(const Measures& all, std::size_t number) {
   return own;
 }
 
+std::string ForceHistory::named(std::size_t body) {
+  return " of body " + std::to_string(body + 1);
+}
+
 void ForceHistory::save(State& state, const std::string& body) const {
   std::vector<Force> forces = recent_;
   for (const auto& [name, number] : numbers) {

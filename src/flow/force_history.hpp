@@ -59,7 +59,10 @@ class ForceHistory {
   /// The same names with values of 0; for flows without a body the first four.
   static Measures none(bool body);
 
-  /// body  tells the histories of several bodies apart
+  /// What tells the history of one of several bodies apart where it is saved; counted from 0.
+  static std::string named(std::size_t body);
+
+  /// body  a name of that kind, or none of all together
   void save(State& state, const std::string& body = "") const;
   void restore(const State& state, const std::string& body = "");
 

@@ -1,5 +1,7 @@
 #include "flow/scales.hpp"
 
+#include <cmath>
+
 #include "body/extent.hpp"
 
 namespace vortree::flow {
@@ -12,12 +14,16 @@ Vec2 way_of(const Case& of) {
   if (u != 0 || v != 0) return {u, v};
   const body::Motion motion = body::motion_of(of.plunge, of.motion);
   if (motion.plunge.frequency > 0) return motion.plunge.amplitude;
-  return -1 * fastest_velocity(of);
+  return -1 * body::fastest_velocity(bodies_of(of), of.time.end);
 }
 
-bool begins_at_once(const body::Motion& motion) {
+/// Not by round-off alone, as the velocity of a course that begins at rest.
+bool begins_at_once(const body::Motion& motion, const Scales& scales) {
+  constexpr double round_off = 1e-9;
   const body::Kinematics first = motion.at(0);
-  return dot(first.velocity, first.velocity) > 0 || first.rate != 0;
+  const double speed =
+      std::sqrt(dot(first.velocity, first.velocity)) + std::abs(first.rate) * scales.length;
+  return speed > round_off * scales.speed;
 }
 
 }  // namespace
@@ -31,9 +37,9 @@ Scales scales_of(const Case& of) {
     scales.length = initial->wavelength, scales.speed = initial->speed;
   if (const Vec2 way = way_of(of); dot(way, way) > 0) scales.along = unit(way);
   scales.impulsive =
-      speed_of_stream(of) > 0 || begins_at_once(body::motion_of(of.plunge, of.motion));
+      speed_of_stream(of) > 0 || begins_at_once(body::motion_of(of.plunge, of.motion), scales);
   for (const body::BodySettings& one : every_body(of))
-    scales.impulsive |= begins_at_once(body::motion_of(std::nullopt, one.motion));
+    scales.impulsive |= begins_at_once(body::motion_of(std::nullopt, one.motion), scales);
   return scales;
 }
 

@@ -86,9 +86,8 @@ std::string read_text(const fs::path& path) {
     text.append(piece, 0, static_cast<std::size_t>(in.gcount()));
   }
   if (text.size() > longest_text) {
-    throw InputError(
-        fmt::format("{} has more than {} bytes; so long a text is not read", path.string(),
-                    longest_text));
+    throw InputError(fmt::format("{} has more than {} bytes; so long a text is not read",
+                                 path.string(), longest_text));
   }
   if (!in.eof()) throw InputError(fmt::format("{} cannot be read", path.string()));
   return text;
@@ -126,6 +125,12 @@ void replace_file(const fs::path& path, const std::function<void(const fs::path&
 
 void write_text(const fs::path& path, std::string_view text) {
   write_text(path, text, PartFile::Until::on_disk);
+}
+
+bool write_new_text(const fs::path& path, std::string_view text) {
+  PartFile part(path, PartFile::Name::unique);
+  write_whole(part.descriptor(), text, path);
+  return part.put_if_free();
 }
 
 void write_derived_text(const fs::path& path, std::string_view text) {

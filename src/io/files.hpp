@@ -22,7 +22,12 @@ namespace vortree::io {
 /// throws  std::runtime_error if it cannot be written
 void write_text(const std::filesystem::path&, std::string_view text);
 
-/// The same but for power failures: for what can be made again from other files.
+/// The same where there is nothing of that name yet. Of several writers at once, on whatever
+/// machines, one comes first; a reader finds nothing or the whole text.
+/// returns  false: there is something, which stays
+[[nodiscard]] bool write_new_text(const std::filesystem::path&, std::string_view text);
+
+/// As write_text, but for power failures: for what can be made again from other files.
 void write_derived_text(const std::filesystem::path&, std::string_view text);
 
 /// Lets `write` make a file under another name beside `path`, then renames it to `path`. If `write`

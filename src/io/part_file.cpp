@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <stdexcept>
+#include <string_view>
 
 #include "io/files.hpp"
 
@@ -81,8 +83,8 @@ void take_over_owner_and_rights(const Descriptor& file, const fs::path& older) {
 PartFile::PartFile(const fs::path& path, Name name) : named_(path) {
   require_replaceable(path);
   target_ = target_of(path);
-  if (name == Name::none) file_ = nameless_in(folder_of(target_));
-  if (file_ < 0) take_name();
+  if (name != Name::needed) file_ = nameless_in(folder_of(target_));
+  if (file_ < 0) name == Name::unique ? take_unique_name() : take_name();
 }
 
 PartFile::~PartFile() {
@@ -103,6 +105,15 @@ void PartFile::take_name() {
   }
   throw std::runtime_error(
       fmt::format("{}: {} is in the way", named_.string(), part_name(target_, true).string()));
+}
+
+void PartFile::take_unique_name() {
+  std::string name = target_.string() + ".XXXXXX.vortree.part";
+  constexpr int ending = std::string_view(".vortree.part").size();
+  file_ = Descriptor(::mkostemps(name.data(), ending, O_CLOEXEC));
+  if (file_ < 0) refuse(named_);
+  part_ = name;
+  (void)::fchmod(file_, 0644);
 }
 
 bool PartFile::link_to(const fs::path& name) const {
@@ -136,6 +147,18 @@ void PartFile::put_in_place(Until until) {
     part_.clear();
   }
   if (until == Until::on_disk) force_folder(folder_of(target_));
+}
+
+bool PartFile::put_if_free() {
+  force(file_, named_);
+  const bool linked =
+      part_.empty() ? link_to(target_) : ::link(part_.c_str(), target_.c_str()) == 0;
+  if (!linked && errno == EEXIST) return false;
+  if (!linked)
+    throw std::runtime_error(
+        fmt::format("{} cannot be written: {}", named_.string(), std::strerror(errno)));
+  force_folder(folder_of(target_));
+  return true;
 }
 
 }  // namespace vortree::io

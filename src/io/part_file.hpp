@@ -14,10 +14,11 @@ namespace vortree::io {
 /// Where the system allows it the file has no name before; a kill leaves nothing. Else, and always
 /// for libraries that open files by name, it is called `NAME.vortree.part` in the folder of the
 /// file; a lock on it tells whether its writer still lives, and the next writer of the same file
-/// takes the place of a dead one. Owner and rights are those of the older file.
+/// takes the place of a dead one. Owner and rights are those of the older file. Where several may
+/// write the same file at once, on several machines, each has a name of its own (Name::unique).
 class PartFile {
  public:
-  enum class Name { none, needed };
+  enum class Name { none, needed, unique };
 
   /// throws  InputError unless `path` may be written (require_writable without inputs)
   PartFile(const std::filesystem::path& path, Name name);
@@ -34,8 +35,14 @@ class PartFile {
   /// throws std::runtime_error
   void put_in_place(Until until = Until::on_disk);
 
+  /// The same, on the disk, if there is nothing of that name; of several at once one comes first.
+  /// returns  false: there is something, which stays
+  /// throws   std::runtime_error
+  [[nodiscard]] bool put_if_free();
+
  private:
   void take_name();
+  void take_unique_name();
   void link_to_name();
   bool link_to(const std::filesystem::path& name) const;
 

@@ -18,6 +18,7 @@
 #include "python/words.hpp"
 #include "tree/base/parallel.hpp"
 #include "tree/neighbors/ball_search.hpp"
+#include "tree/neighbors/crossing_pairs.hpp"
 
 namespace vortree::python {
 namespace {
@@ -54,13 +55,17 @@ std::int64_t room_for_pairs(std::size_t rows, std::size_t points, std::size_t by
   return static_cast<std::int64_t>(free_memory() / bytes_a_pair);
 }
 
-tree::Buffer<double> distances_of(const PairList& rows, const PlacesByNumber& at) {
+tree::Buffer<double> distances_of(const PairList& rows, const PlacesByNumber& at,
+                                  const tree::PeriodicBox& box) {
+  const double period_x = tree::period_of(box.x), period_y = tree::period_of(box.y);
   tree::Buffer<double> distance;
   distance.renew(rows.index.size());
   const auto write = [&](std::uint32_t i) {
     for (std::int64_t k = rows.start[i]; k < rows.start[i + 1]; ++k) {
       const auto j = static_cast<std::size_t>(rows.index[static_cast<std::size_t>(k)]);
-      distance[static_cast<std::size_t>(k)] = distance_of(at.x[j] - at.x[i], at.y[j] - at.y[i]);
+      distance[static_cast<std::size_t>(k)] =
+          distance_of(tree::nearest_image(at.x[j] - at.x[i], period_x),
+                      tree::nearest_image(at.y[j] - at.y[i], period_y));
     }
   };
   tree::share_evenly(tree::all_of(rows.size()), rows.size() > tree::worth_sharing, write);
@@ -84,7 +89,9 @@ tree::Buffer<std::int64_t> pairs_of(const PairList& rows) {
 /// again.
 class SharedSearch {
  public:
-  SharedSearch(const NumpyReals& x, const NumpyReals& y, const NumpyReals& reach, int threads) {
+  SharedSearch(const NumpyReals& x, const NumpyReals& y, const NumpyReals& reach, double period_x,
+               double period_y, int threads)
+      : box_{period_x, period_y} {
     place(x, y, reach, threads);
   }
 
@@ -93,7 +100,10 @@ class SharedSearch {
     const auto reaches = values_of(reach);
     unlocked(threads, [&] {
       const std::lock_guard alone(mutex_);
+      std::optional<tree::CrossingPairs> crossing;
+      if (box_.periodic()) crossing.emplace(points, reaches, box_);
       search_.place(points, reaches);
+      crossing_ = std::move(crossing);
       balls_.reset();
     });
   }
@@ -104,7 +114,7 @@ class SharedSearch {
     const auto listing = half ? tree::Listing::once : tree::Listing::both_ways;
     const std::size_t bytes = bytes_listed + (distances ? sizeof(double) : 0);
     list(rule, listing, bytes, threads, [&](PairList found) {
-      if (distances) distance = distances_of(found, PlacesByNumber(search_.placed()));
+      if (distances) distance = distances_of(found, PlacesByNumber(search_.placed()), box_);
       rows = std::move(found);
     });
     return py::make_tuple(owning(std::move(rows.start)), owning(std::move(rows.index)),
@@ -126,7 +136,7 @@ class SharedSearch {
       const std::lock_guard alone(mutex_);
       if (!balls_) {
         const PlacesByNumber points(search_.placed());
-        balls_.emplace(tree::Points{points.x, points.y});
+        balls_.emplace(tree::Points{points.x, points.y}, box_);
       }
       rows.most = room_for_pairs(places.size(), size(), bytes_found);
       balls_->list(places, radii, rows);
@@ -145,8 +155,10 @@ class SharedSearch {
     unlocked(threads, [&] {
       const std::lock_guard alone(mutex_);
       PairList found;
-      found.most = room_for_pairs(size(), size(), bytes_a_pair);
+      const std::size_t copied = box_.periodic() ? sizeof(std::int32_t) : 0;
+      found.most = room_for_pairs(size(), size(), bytes_a_pair + copied);
       search_.list(rule, listing, found);
+      if (crossing_) crossing_->add_to(rule, listing, found);
       use(std::move(found));
     });
   }
@@ -156,7 +168,9 @@ class SharedSearch {
   static constexpr std::size_t bytes_listed = 5, bytes_found = 12;
 
   std::mutex mutex_;
+  tree::PeriodicBox box_;
   tree::Neighbors search_;
+  std::optional<tree::CrossingPairs> crossing_;
   std::optional<tree::BallSearch> balls_;
 };
 
@@ -164,7 +178,7 @@ class SharedSearch {
 
 void bind_neighbors(py::module_& core) {
   py::class_<SharedSearch>(core, "Neighbors")
-      .def(py::init<const NumpyReals&, const NumpyReals&, const NumpyReals&, int>())
+      .def(py::init<const NumpyReals&, const NumpyReals&, const NumpyReals&, double, double, int>())
       .def("place", &SharedSearch::place)
       .def("rows", &SharedSearch::rows)
       .def("pairs", &SharedSearch::pairs)

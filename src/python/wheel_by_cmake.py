@@ -1,12 +1,16 @@
-"""What pip asks of a project (PEP 517): a wheel, made by the project's own CMake.
+"""What pip asks of a project (PEP 517): a wheel, made by the project's own CMake, and an sdist, the
+sources of the wheel alone.
 
-For the interpreter that calls, with the compiler, CMake and pybind11 that are there. The
-environment's CMAKE_ARGS are further words for CMake, as -DVORTREE_NATIVE=OFF for another machine
-than this one.
+The wheel is for the interpreter that calls, with the compiler, CMake and pybind11 that are there.
+The environment's CMAKE_ARGS are further words for CMake, as -DVORTREE_NATIVE=OFF for another machine
+than this one. The sdist of the same sources has the same bytes: its times are SOURCE_DATE_EPOCH, or
+the first that a zip file can tell.
 """
 
 import base64
+import gzip
 import hashlib
+import io
 import os
 import re
 import shlex
@@ -14,6 +18,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tarfile
 import tempfile
 import tomllib
 import zipfile
@@ -21,12 +26,52 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
+# Whatever the wheel is made of.
+SOURCES = ("CMakeLists.txt", "LICENSE", "pyproject.toml", "src/vortreeConfig.cmake.in",
+           *(f"{part}/**/{name}" for part in ("tree", "fmm")
+             for name in ("*.cpp", "*.hpp", "CMakeLists.txt")),
+           "src/base/free_memory.[ch]pp", "src/base/memory.[ch]pp", "src/python/*.[ch]pp",
+           "src/python/*.py", "src/python/CMakeLists.txt", "src/python/README.md",
+           "src/python/vortree/*.py", "src/python/vortree/*.pyi", "src/python/vortree/py.typed")
+FIRST_DAY = 315532800  # 1980
+
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     name = f"vortree-{version()}-{tag()}.whl"
     with tempfile.TemporaryDirectory() as scratch:
         write(Path(wheel_directory) / name, build(Path(scratch)))
     return name
+
+
+def build_sdist(sdist_directory, config_settings=None):
+    folder = f"vortree-{version()}"
+    files = {"PKG-INFO": metadata().encode(), **{name: (ROOT / name).read_bytes()
+                                                 for name in sources()}}
+    packed = io.BytesIO()
+    with tarfile.open(fileobj=packed, mode="w", format=tarfile.PAX_FORMAT) as archive:
+        for name in sorted(files):
+            archive.addfile(entry(f"{folder}/{name}", files[name]), io.BytesIO(files[name]))
+    name = f"{folder}.tar.gz"
+    with open(Path(sdist_directory) / name, "wb") as file, \
+            gzip.GzipFile("", "wb", 9, file, mtime=moment()) as squeezed:
+        squeezed.write(packed.getvalue())
+    return name
+
+
+def sources():
+    return sorted({os.fspath(path.relative_to(ROOT)) for pattern in SOURCES
+                   for path in ROOT.glob(pattern) if path.is_file()})
+
+
+def entry(name, content):
+    """Nobody's file, of no day in particular."""
+    told = tarfile.TarInfo(name)
+    told.size, told.mtime, told.mode = len(content), moment(), 0o644
+    return told
+
+
+def moment():
+    return int(os.environ.get("SOURCE_DATE_EPOCH", FIRST_DAY))
 
 
 def version():
@@ -77,9 +122,9 @@ def digest(content):
 
 
 def metadata():
-    """The lines of pyproject.toml as a wheel tells them."""
+    """The lines of pyproject.toml as a wheel and an sdist tell them."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    lines = ["Metadata-Version: 2.1", f"Name: {project['name']}", f"Version: {version()}",
+    lines = ["Metadata-Version: 2.2", f"Name: {project['name']}", f"Version: {version()}",
              f"Summary: {project['description']}", f"License: {project['license']['text']}",
              f"Requires-Python: {project['requires-python']}"]
     lines += [f"Requires-Dist: {need}" for need in project["dependencies"]]

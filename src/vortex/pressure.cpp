@@ -1,6 +1,5 @@
 #include "vortex/pressure.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -95,62 +94,10 @@ body::Kinematics motion_of(const Problem& p, std::size_t body, double time) {
   return now;
 }
 
-/// What a body's wall has gained of its acceleration along each panel since the middle of the step.
-void add_gain(const Problem& p, std::size_t body, std::span<double> gain) {
-  const body::Kinematics now = motion_of(p, body, p.time),
-                         between = motion_of(p, body, p.time - p.dt / 2);
-  const double spin_up = now.spin_up - between.spin_up,
-               squares = now.rate * now.rate - between.rate * between.rate;
-  const Ring& ring = p.wall->rings()[body];
-  for (std::size_t i = ring.first; i < ring.end(); ++i) {
-    const Vec2 x = p.wall->middle(i) - ring.centre;
-    gain[i] += dot(now.acceleration - between.acceleration + spin_up * left_of(x) - squares * x,
-                   p.wall->tangent(i));
-  }
-}
-
-/// Adds to a slip what the same leaves of it beyond the patches of bodies that turn; tells how much
-/// circulation each asks for.
-std::vector<double> add_slip_of_gain(const Problem& p, std::span<double> slip) {
-  std::vector<double> totals;
-  for (std::size_t k = 0; k < p.wall->rings().size(); ++k) {
-    const body::Kinematics now = motion_of(p, k, p.time),
-                           between = motion_of(p, k, p.time - p.dt / 2);
-    const Ring& ring = p.wall->rings()[k];
-    const Vec2 faster = now.acceleration - between.acceleration;
-    for (std::size_t i = ring.first; i < ring.end(); ++i)
-      slip[i] -= dot(faster, p.wall->tangent(i));
-    const double spin_up = now.spin_up - between.spin_up;
-    for (std::size_t i = 0; !p.turning.empty() && i < slip.size(); ++i)
-      slip[i] += spin_up * p.turning[k].slip[i];
-    totals.push_back(p.turning.empty() ? 0 : -spin_up * p.turning[k].circulation);
-  }
-  return totals;
-}
-
-/// The pressure's slope along the wall by now: to its mean over the last step comes what bodies
-/// have changed of their acceleration since, by the potential flow that answers to it.
-std::vector<double> slope_now(const Problem& p, std::span<const double> of_step) {
-  std::vector<double> slope(of_step.begin(), of_step.end());
-  const bool moves = p.flow.motion.moves() || std::ranges::any_of(p.flow.own, &body::Motion::moves);
-  if (!moves) return slope;
-  const Wall& wall = *p.wall;
-  const body::Kinematics now = p.flow.motion.at(p.time),
-                         between = p.flow.motion.at(p.time - p.dt / 2);
-  const Vec2 faster =
-      Turn(-now.angle)(now.acceleration) - Turn(-between.angle)(between.acceleration);
-  std::vector<double> slip = wall.slip(-1.0 * faster, Velocities(2 * wall.panels()), {}, {});
-  const std::vector<double> totals = add_slip_of_gain(p, slip);
-  std::vector<double> gain = wall.sheet(slip, totals);
-  for (std::size_t k = 0; k < wall.rings().size(); ++k) add_gain(p, k, gain);
-  for (std::size_t i = 0; i < slope.size(); ++i) slope[i] -= gain[i];
-  return slope;
-}
-
 /// The dipoles of the wall per unit length, as two columns.
 Velocities of_wall(const Problem& p, const WallData& along) {
   const Wall& wall = *p.wall;
-  const std::vector<double> pressure = integrated(wall, slope_now(p, along.slope));
+  const std::vector<double> pressure = integrated(wall, along.slope);
   Velocities dipoles(wall.panels());
   for (std::size_t k = 0; k < wall.rings().size(); ++k) {
     const body::Kinematics now = motion_of(p, k, p.time);

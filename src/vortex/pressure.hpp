@@ -9,7 +9,7 @@ namespace vortree::vortex {
 
 /// What the wall tells of the pressure beside it, a value a panel.
 ///
-/// slope      dp/ds in the body's own frame, its mean over the last step (Wake::pressure_slope)
+/// slope      dp/ds in the body's own frame (slope_at_end of wall_pressure.hpp)
 /// vorticity  Wake::wall_vorticity [1/s]
 struct WallData {
   std::span<const double> slope, vorticity;
@@ -46,12 +46,9 @@ struct WallData {
 /// is; and a quadrupole, of how u changes across the core: without it the middle of a vortex would
 /// miss some omega^2 core^2/4.
 ///
-/// The slope along the wall is known as its mean over the last step, half a step ago; what the
-/// body's acceleration has changed since, by the potential flow that answers to it, is added.
-///
 /// along   of a wall; without one nothing is read of it
 /// error   O(core^4) in free space: 8e-3 of the least pressure in a vortex four times as wide as
-///         its cores; beside a wall that of their fold, too, and O(dt) of the rest of the slope
+///         its cores; beside a wall that of their fold, too, and that of the slope
 ///         (tests/vortex/pressure.cpp)
 /// cost    a velocity of all blobs with its gradient; at the points three velocities and two
 ///         gradients

@@ -179,6 +179,7 @@ void VortexSolver::step(const tree::Phase& phase) {
   problem.drifting = std::move(wake.drifting);
   problem.time = later;
   stand(problem, later);
+  slope_before_ = steps_ > 1 ? std::move(wake_.pressure_slope) : std::vector<double>{};
   take(std::move(wake));
   drift_ = std::max(drift_, drift_now());
 }
@@ -323,12 +324,17 @@ std::vector<double> VortexSolver::stream_function(tree::Points at) const {
   return psi;
 }
 
+std::vector<double> VortexSolver::pressure_slope() const {
+  return slope_at_end({wake_.pressure_slope, slope_before_}, time(), setup_.problem.dt,
+                      setup_.scales.impulsive);
+}
+
 /// None of an impulsive start, where it is infinite.
 std::vector<double> VortexSolver::pressure(tree::Points at) const {
   if (wall() && steps_ == 0) return {};
   std::vector<double> x(at.x.begin(), at.x.end()), y(at.y.begin(), at.y.end());
   from_scene(x, y, origin());
-  return pressure_at({x, y}, blobs_, setup_.problem, {wake_.pressure_slope, wake_.wall_vorticity});
+  return pressure_at({x, y}, blobs_, setup_.problem, {pressure_slope(), wake_.wall_vorticity});
 }
 
 flow::FrameTable VortexSolver::frame_table() const {
@@ -347,7 +353,7 @@ std::vector<double> VortexSolver::frame_rows() const {
     return {t, now.energy, now.enstrophy};
   }
   if (steps_ == 0) return {};  // the wall vorticity of an impulsive start is infinite
-  const std::vector<double> pressure = wall_pressure(blobs_, setup_.problem, wake_.pressure_slope);
+  const std::vector<double> pressure = wall_pressure(blobs_, setup_.problem, pressure_slope());
   const double unit = setup_.scales.length * setup_.scales.of_force();
   const double T = setup_.scales.T(t);
   const Vec2 s = setup_.scales.along;
@@ -401,6 +407,7 @@ void VortexSolver::save(flow::State& state) const {
   state["sheet"] = wake_.sheet;
   state["wall_vorticity"] = wake_.wall_vorticity;
   state["pressure_slope"] = wake_.pressure_slope;
+  if (!slope_before_.empty()) state["pressure_slope_before"] = slope_before_;
 }
 
 /// What has left. Runs saved when nothing drifted have its moment a step ahead.
@@ -436,6 +443,9 @@ void VortexSolver::restore(long steps, const flow::Columns& columns, const flow:
     wake_.sheet = flow::saved(state, "sheet");
     wake_.wall_vorticity = flow::saved(state, "wall_vorticity");
     wake_.pressure_slope = flow::saved(state, "pressure_slope");
+    slope_before_.clear();
+    if (const auto found = state.find("pressure_slope_before"); found != state.end())
+      slope_before_ = found->second;
   }
   growth_ = {};
   growth_.add(blobs_.size());

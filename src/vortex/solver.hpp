@@ -69,11 +69,13 @@ class VortexSolver final : public flow::Solver {
   double drift_now() const;
   double share_gone() const;
   void take(Wake wake);
+  std::vector<double> pressure_slope() const;
   void restore_left(const flow::State& state);
 
   Setup setup_;
   Blobs blobs_;
   Wake wake_;
+  std::vector<double> slope_before_;  // Wake::pressure_slope of the step before, if any
   Growth growth_;
   long steps_ = 0;
   flow::Measures measures_;

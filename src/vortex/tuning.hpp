@@ -42,6 +42,10 @@ inline constexpr double stream_function_tolerance = 1e-7;
 /// Blobs of which a frame still tells the energy, a sum over all pairs: 2e8 of them.
 inline constexpr std::size_t most_for_energy = 20'000;
 
+/// Blobs that a thread takes at a time, of those that cost more beside the wall than elsewhere:
+/// less begins more often, more is shared less evenly.
+inline constexpr int blobs_a_turn = 256;
+
 // When blobs multiply faster than they merge (Growth::most): lower bounds end flows that would have
 // gone well, higher ones end the others later.
 

@@ -1,5 +1,6 @@
 #include "vortex/wall_pressure.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -29,14 +30,57 @@ double mean(const Wall& wall, std::span<const double> w, const auto& of_panel) {
   return sum;
 }
 
+/// What a sheet does to blobs: its velocity V where they act, and how that changes there. V has
+/// neither curl nor divergence, so that its change along one direction tells all.
+class SheetAtBlobs {
+ public:
+  SheetAtBlobs(std::span<const double> sheet, const MovingBlobs& all, const Problem& p)
+      : here_(all.blobs.size()), aside_(all.blobs.size()) {
+    std::vector<double> x = all.at.x, y = all.at.y;
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      const body::WallPoint wall = all.at.wall.known(j);
+      const double way = std::max(all.at.sigma[j], panels_aside * p.wall->panel_length(0));
+      way_.push_back(way * (wall.distance < INFINITY ? wall.normal : Vec2{1, 0}));
+      x[j] += way_[j].x, y[j] += way_[j].y;
+    }
+    p.wall->add_velocity(sheet, p.sums, {all.at.x, all.at.y}, here_, all.at.wall);
+    p.wall->add_velocity(sheet, p.sums, {x, y}, aside_);
+  }
+
+  Vec2 velocity(std::size_t j) const { return {here_.u[j], here_.v[j]}; }
+  Gradient gradient(std::size_t j) const {
+    const Vec2 d = way_[j], dV{aside_.u[j] - here_.u[j], aside_.v[j] - here_.v[j]};
+    const double xx = (d.x * dV.x - d.y * dV.y) / dot(d, d),
+                 xy = (d.y * dV.x + d.x * dV.y) / dot(d, d);
+    return {xx, xy, xy};
+  }
+
+ private:
+  static constexpr double panels_aside = 2;  // nearer a sheet in panels is rough
+
+  Velocities here_, aside_;
+  std::vector<Vec2> way_;
+};
+
+/// What the mean of u.V over a core has beyond the product of their means: the sum of
+/// C_km d_k u_l d_m V_l, C the core's covariance.
+double spread(const Core& core, const Gradient& u, const Gradient& V) {
+  const double half = core.square / 2, xx = half + core.deviator.xx, xy = core.deviator.xy,
+               yy = half - core.deviator.xx;
+  return u.ux * (xx * V.ux + xy * V.uy) + u.uy * (xy * V.ux + yy * V.uy) +
+         u.vx * (xx * V.vx - xy * V.ux) - u.ux * (xy * V.vx - yy * V.ux);
+}
+
 /// int omega u.V dA.
 double weighted_vorticity(const MovingBlobs& all, const Problem& p, std::span<const double> w) {
-  Velocities circle(all.blobs.size());
-  p.wall->add_velocity(w, p.sums, {all.at.x, all.at.y}, circle, all.at.wall);
+  const SheetAtBlobs circle(w, all, p);
   return ordered_sum(all.blobs.size(), [&](std::size_t first, std::size_t last) {
     double sum = 0;
-    for (std::size_t j = first; j < last; ++j)
-      sum += all.blobs.gamma[j] * (all.u.u[j] * circle.u[j] + all.u.v[j] * circle.v[j]);
+    for (std::size_t j = first; j < last; ++j) {
+      const Gradient slope{all.slope.ux[j], all.slope.uy[j], all.slope.vx[j]};
+      sum += all.blobs.gamma[j] * (dot({all.u.u[j], all.u.v[j]}, circle.velocity(j)) +
+                                   spread(all.at.folded(j).core, slope, circle.gradient(j)));
+    }
     return sum;
   });
 }
@@ -63,6 +107,21 @@ double level(const MovingBlobs& all, const Problem& p, std::span<const double> w
   return dot(stream, stream) / 2 - of_wall - weighted_vorticity(all, p, w) / two_pi;
 }
 
+/// What the means of a rate over the last step and the one before weigh in the rate at the end: by
+/// the parabola, or from the last alone the line, in sqrt(t) or in t.
+struct EndOfParabola {
+  double last, before, of_line;
+
+  EndOfParabola(double time, double dt, bool in_root) {
+    const auto s = [&](double t) { return in_root ? std::sqrt(std::max(t, 0.0)) : t; };
+    const double s0 = s(time - 2 * dt), s1 = s(time - dt), s2 = s(time);
+    const double unit = dt / (in_root ? 2 * s2 : 1), share = (s2 - s1) / (s2 - s0);
+    of_line = unit / (s2 - s1);
+    last = (1 + share) * of_line;
+    before = share * unit / (s1 - s0);
+  }
+};
+
 /// The integral of a slope around a body, from anywhere on; what would not close is spread evenly.
 void integrate(std::span<const double> slope, double b, std::span<double> p) {
   const double open =
@@ -76,6 +135,15 @@ void integrate(std::span<const double> slope, double b, std::span<double> p) {
 
 }  // namespace
 
+std::vector<double> slope_at_end(const SlopeMeans& known, double time, double dt, bool impulsive) {
+  const EndOfParabola end(time, dt, impulsive);
+  std::vector<double> slope;
+  for (std::size_t i = 0; i < known.last.size(); ++i)
+    slope.push_back(known.before.empty() ? end.of_line * known.last[i]
+                                         : end.last * known.last[i] - end.before * known.before[i]);
+  return slope;
+}
+
 std::vector<double> integrated(const Wall& wall, std::span<const double> slope) {
   std::vector<double> p(wall.panels());
   for (const Ring& ring : wall.rings()) integrate(ring.of(slope), ring.length, ring.of(p));
@@ -83,17 +151,17 @@ std::vector<double> integrated(const Wall& wall, std::span<const double> slope) 
 }
 
 double pressure_level(const Blobs& blobs, const Problem& problem) {
-  return level(moving(blobs, problem), problem, circling(*problem.wall, 0));
+  return level(moving(blobs, problem, WithSlope::yes), problem, circling(*problem.wall, 0));
 }
 
 std::vector<double> wall_pressure(const Blobs& blobs, const Problem& problem,
                                   std::span<const double> slope) {
   const Wall& wall = *problem.wall;
   std::vector<double> p = integrated(wall, slope);
-  const body::Kinematics between = problem.flow.motion.at(problem.time - problem.dt / 2);
-  const Vec2 driven = Turn(-between.angle)(between.acceleration);
+  const body::Kinematics frame = problem.flow.motion.at(problem.time);
+  const Vec2 driven = Turn(-frame.angle)(frame.acceleration);
   for (std::size_t i = 0; i < p.size(); ++i) p[i] -= dot(driven, wall.middle(i));
-  const MovingBlobs all = moving(blobs, problem);
+  const MovingBlobs all = moving(blobs, problem, WithSlope::yes);
   std::vector<double> raises;
   for (std::size_t k = 0; k < wall.rings().size(); ++k) {
     const std::vector<double> w = circling(wall, k);

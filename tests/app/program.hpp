@@ -123,6 +123,15 @@ class NoFigures {
   NoFigures& operator=(const NoFigures&) = delete;
 };
 
+/// A folder with a scene whose runs have no figures.
+class SceneFolder : public TemporaryFolder {
+ public:
+  SceneFolder(const std::string& name, const std::string& scene) { write(name, scene); }
+
+ private:
+  NoFigures quick_{*this};
+};
+
 using Vector = std::vector<double>;
 
 inline void write_particles(const fs::path& file,

@@ -54,17 +54,19 @@ TEST_CASE("the nearest place of several bodies is the nearest of each") {
   for (int k = 0; k < 500; ++k) {
     const Vec2 at{5 * (uniform() - 0.4), 4 * (uniform() - 0.4)};
     double first = 0, before = 0;
+    std::size_t curve = 0;
     body::WallPoint best{0, INFINITY, {}, 0};
-    for (const auto& one : members) {
-      const body::WallPoint found = one->nearest(at);
-      if (found.distance < best.distance) best = found, before = first;
-      first += one->perimeter();
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      const body::WallPoint found = members[m]->nearest(at);
+      if (found.distance < best.distance) best = found, before = first, curve = m;
+      first += members[m]->perimeter();
     }
     const body::WallPoint found = group.nearest(at);
     CHECK(found.distance == best.distance);
     CHECK(group.distance(at) == Approx(best.distance).margin(1e-14));
     CHECK(found.arc == Approx(before + best.arc).margin(1e-14));
     CHECK(found.normal == best.normal);
+    CHECK(group.curve_at(found.arc) == curve);
     CHECK((!group.beyond(at, 0.2) || best.distance > 0.2));
     const Vec2 back = group.point(found.arc) + found.distance * found.normal - at;
     CHECK(std::hypot(back.x, back.y) < 1e-12);

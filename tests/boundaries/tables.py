@@ -361,6 +361,7 @@ TOLD = {
     "plunging_cylinder": ("drag_max", "drag_rms", "lift_error_max", "lift_error_rms"),
     "naca0012": (None, None, None, None, "lift_routes_max", "routes_max"),
     "naca2412": ("routes_max", "lift_routes_max"),
+    "slow_start": ("front_pressure_max", None),
     "oscillating_cylinder": ("morison_drag_max", "morison_mass_max", "routes_max"),
     "spinning_cylinder": ("velocity_max", "lift_max"),
     "spinning_cylinder_re200": ("drag_max", "drag_rms", "lift_error_max", "lift_error_rms"),

@@ -277,6 +277,30 @@ TEST_CASE("wall vorticity is held against a reference at the times of frames") {
         "the run ends at T = 2");
 }
 
+TEST_CASE("pressure at the front is held against a reference at the times of wall.csv") {
+  std::string reference = "T,cp_front\n", wall = "t,T,angle_deg,vorticity,sheet,cp,cf\n";
+  for (int k = 0; k <= 8; ++k) reference += fmt::format("{},{}\n", 0.25 * k, 1 + 0.025 * k * k);
+  // On both sides of the front, but not at it; 0.03 more than it should be at T = 1.1.
+  for (const auto& [T, more] : {std::pair{0.3, 0.01}, {1.1, 0.03}, {1.6, -0.02}, {3.0, 7.0}})
+    for (int angle = -178; angle < 180; angle += 4)
+      wall += fmt::format("{},{},{},0,0,{},0\n", T / 2, T, angle,
+                          1 + 0.4 * T * T + more - 4 * std::pow(std::sin(angle * pi / 180), 2));
+  const auto run = [&](const std::string& table, const Words& more) {
+    Words overrides{"check.front_pressure_reference=known.csv", "check.front_pressure_max=0.025"};
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return MadeUpRun(cylinder_by_hand, overrides, {{"known.csv", reference}, {"wall.csv", table}})
+        .verdict(20);
+  };
+  // A parabola in the angle is 1e-4 off.
+  CHECK(*run(wall, {}).reached.value == Approx(0.03).margin(2e-4));
+  CHECK(run(wall, {}).missed());
+  CHECK(*run(wall, {"check.front_pressure_from=1.5"}).reached.value == Approx(0.02).margin(2e-4));
+  CHECK(run(wall, {"check.front_pressure_from=1.5"}).passed());
+  CHECK(run(wall, {"check.front_pressure_from=3"}).reached.why == "the run ends at T = 2");
+  CHECK(run("t,T,angle_deg,vorticity,pressure\n", {}).reached.why ==
+        "this method tells no cp along the wall");
+}
+
 TEST_CASE("a body that plunges in fluid at rest has the drag and mass that are known, or not") {
   const Words plunging{"flow.stream=[0,0]", "plunge.amplitude=0.1", "plunge.frequency=0.5",
                        "time.dt=0.02"};

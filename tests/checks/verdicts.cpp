@@ -76,9 +76,7 @@ TEST_CASE("a cubic through four entries is exact for cubics, and there is none o
 }
 
 TEST_CASE("a run that was too short says so in its summary, and leaves 0") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("known.csv", "T,C_D\n2,1\n3,1\n4,1\n5,1\n");
+  const SceneFolder folder("known.csv", "T,C_D\n2,1\n3,1\n4,1\n5,1\n");
   folder.write("cylinder.toml",
                "accuracy = 0.1\n[flow]\nreynolds = 50\nstream = [1, 0]\n[body]\nradius = 0.5\n"
                "[time]\nend = 0.3\n[check]\ndrag_reference = \"known.csv\"\ndrag_max = 0.1\n"

@@ -54,7 +54,7 @@ def datasets(file, keep=lambda name, values: values):
 def summary_of(folder):
     told = json.loads((folder / "summary.json").read_text())
     for name in ("seconds", "processor_seconds", "particle_steps_per_second", "peak_bytes", "scene",
-                 "threads"):
+                 "threads", "provenance"):
         told.pop(name, None)
     return told
 

@@ -67,6 +67,12 @@ def searches(n=100_000):
             def tree():
                 return cKDTree(rows)
 
+            def box():
+                return vortree.Neighbors(x, y, reach, boxsize=1, threads=1)
+
+            def tree_in_box():
+                return cKDTree(rows, boxsize=1)
+
             found = near().rows()[1].size / n
             print(f"{kind}, {found:.1f} neighbors each")
             print("  query_pairs, ndarray", by_turns(
@@ -79,6 +85,16 @@ def searches(n=100_000):
             print("  query_ball_point, lists", by_turns(
                 lambda: near().query_ball_point(y, x, reach),
                 lambda: tree().query_ball_point(rows[:, ::-1], reach)))
+            print("  in a box: query_pairs, ndarray", by_turns(
+                lambda: box().query_pairs("ndarray"),
+                lambda: tree_in_box().query_pairs(reach, output_type="ndarray")))
+            print("  in a box: sparse_distance_matrix", by_turns(
+                lambda: box().sparse_distance_matrix(), lambda: matrix_of(tree_in_box(), reach)))
+            print("  in a box: query_ball_point, lists", by_turns(
+                lambda: box().query_ball_point(y, x, reach),
+                lambda: tree_in_box().query_ball_point(rows[:, ::-1], reach)))
+            print("  rows() in a box against rows() of the plane", by_turns(
+                lambda: box().rows(), lambda: near().rows()))
 
 
 if __name__ == "__main__":

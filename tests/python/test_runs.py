@@ -1,5 +1,7 @@
 import json
+import re
 import shutil
+import subprocess
 
 import numpy as np
 import pytest
@@ -113,3 +115,55 @@ def test_values_are_written_as_toml():
     assert json.dumps(read) == json.dumps({**values, "h": 0.3, "i": [0, 1, 2]})
     with pytest.raises(ValueError, match="nothing that a scene can hold"):
         _runs._toml(None)
+
+
+@pytest.mark.filterwarnings("ignore")  # crude: what there is matters, not the flow
+def test_lists_are_a_sweep_in_the_order_of_the_list(tmp_path):
+    keys = {"time": {"end": 0.1}, "output": {"fields": []}, "check": {"lift_max": 1}}
+    sweep = vortree.run("cylinder", out=tmp_path / "sweep", method=["vortex", "sph"],
+                        flow={"reynolds": np.array([20.0, 30.0])}, accuracy=0.05, **keys)
+    assert [tuple(case.values()) for case in sweep.cases] == [
+        ("vortex", 20), ("vortex", 30), ("sph", 20), ("sph", 30)]
+    assert list(sweep.table)[:4] == ["method", "flow.reynolds", "steps", "particles"]
+    assert sweep.table["method"].tolist() == ["vortex", "vortex", "sph", "sph"]
+    assert sweep.table["flow.reynolds"].tolist() == [20, 30, 20, 30]
+    for run, case, steps in zip(sweep, sweep.cases, sweep.table["steps"]):
+        assert run.scene["method"] == case["method"]
+        assert run.scene["flow"]["reynolds"] == case["flow.reynolds"]
+        assert run.summary["steps"] == steps == run.report["t"].size
+    assert len(sweep[1:3]) == 2 and sweep[-1].folder.name == "method=sph,flow.reynolds=30.0"
+    assert sweep.failed == []
+    assert len(vortree.read(tmp_path / "sweep")) == 4
+    with pytest.raises(ValueError, match="holds a run|is there already"):
+        vortree.run("cylinder", out=tmp_path / "sweep", method=["vortex", "sph"],
+                    flow={"reynolds": [20.0, 30.0]}, accuracy=0.05, **keys)
+
+
+def test_a_run_of_a_sweep_that_breaks_off_is_warned_of_and_a_gap(tmp_path):
+    (tmp_path / "sweep/accuracy=0.1/report.csv").mkdir(parents=True)
+    with pytest.warns(UserWarning, match="report.csv"):
+        sweep = vortree.run("cylinder", out=tmp_path / "sweep", accuracy=[0.05, 0.1],
+                            time={"end": 0.1}, output={"fields": []})
+    assert np.isnan(sweep.table["steps"]).tolist() == [False, True]
+    assert [case for case, _ in sweep.failed] == [{"accuracy": 0.1}] and not sweep.passed
+
+
+def test_lists_of_keys_that_take_lists_are_one_value_and_others_several(tmp_path):
+    program = _runs.find_program()
+    page = subprocess.run([program, "check", "--keys"], capture_output=True, text=True, check=True)
+    names = [line.split("`")[1] for line in page.stdout.splitlines() if line.startswith("| `")]
+    tables = ("tracers", "probe", "sph.region")  # lists of tables, never swept
+    asked = [name for name in names if not name.startswith(tables)]
+    assert len(asked) > 100
+    taken = {"plunge.direction"}  # refused for the other keys of its table
+    for name in asked:
+        said = subprocess.run([program, "check", "cylinder", f"{name}=[[[]]]"],
+                              capture_output=True, text=True).stderr
+        if "needs the key" not in said and f" {name} is an array; " not in said:
+            taken.add(name)
+    assert taken == _runs._LISTS
+    for value in ([0.1], []):
+        with pytest.raises(ValueError, match="makes no sweep"):
+            vortree.run("cylinder", out=tmp_path / "none", accuracy=value)
+    with pytest.raises(ValueError, match="an array of numbers|number"):
+        vortree.run("cylinder", out=tmp_path / "none", output={"fields": ["a"]})

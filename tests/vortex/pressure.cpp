@@ -201,17 +201,14 @@ TEST_CASE("strained cores have the pressure of the halves they act as") {
 }
 
 TEST_CASE("the field goes over into the pressure along the wall") {
-  // The two know its level by different sums, that of the wall to second order in the cores. What
-  // wall.csv has is half a step older: a circle has answered to its acceleration by X'' x. Where
-  // the wall moves, the slip that is left of its speed enters |u|^2.
+  // The two know its level by different sums. Where the wall moves, the slip that is left of its
+  // speed enters |u|^2.
   const auto off = [](Setup setup, int steps) {
     const auto standing = setup.wall->at(0);
     const vortex::Wall& wall = standing->wall;
     const double dt = setup.problem.dt;
     const body::Motion motion = setup.problem.flow.motion;
     const Turn turn(motion.at(steps * dt).angle);
-    const Vec2 faster =
-        motion.at(steps * dt).acceleration - motion.at((steps - 0.5) * dt).acceleration;
     Places at;
     for (const Vec2 middle : wall.middles())
       at.add(turn(middle + 1e-4 * wall.shape().nearest(middle).normal));
@@ -220,19 +217,18 @@ TEST_CASE("the field goes over into the pressure along the wall") {
     const std::vector<double> rows = solver.frame_rows(), p = solver.pressure(at.points());
     double largest = 0;
     for (std::size_t k = 0; k < p.size(); ++k)
-      largest =
-          std::max(largest, std::abs(p[k] - dot(faster, {at.x[k], at.y[k]}) - rows[7 * k + 5] / 2));
+      largest = std::max(largest, std::abs(p[k] - rows[7 * k + 5] / 2));
     return largest;
   };
-  const double coarse = off(circle(0.02, 160), 40);
-  CHECK(coarse < 0.012);
-  CHECK(off(circle(0.01, 220), 80) < 0.8 * coarse);
+  // A panel beside which blobs have merged in the last step is 0.01 off.
+  CHECK(off(circle(0.02, 160), 40) < 0.01);
+  CHECK(off(circle(0.01, 220), 80) < 0.01);
   const body::Motion plunge{.plunge = {{0.05, 0.1}, 0.8}};
   const double plunging = off(circle(0.02, 160, plunge), 40);
-  CHECK(plunging < 0.035);
+  CHECK(plunging < 0.025);
   CHECK(off(circle(0.01, 220, plunge), 80) < 0.8 * plunging);
-  CHECK(off(circle(0.02, 160, {.spin = {2}}), 40) < 0.04);
-  CHECK(off(pitching(), 40) < 0.03);
+  CHECK(off(circle(0.02, 160, {.spin = {2}}), 40) < 0.025);
+  CHECK(off(pitching(), 40) < 0.025);
 }
 
 TEST_CASE("around a circle that spins pressure falls by what turns the fluid") {

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "tree/base/waiting.hpp"
+
 /// Numbers that make the tree faster or slower and change no result: what each trades, and how flat
 /// its optimum is. Where nothing is said of the optimum it is not known: the number was not varied.
 /// They were chosen on a 2-core EPYC (Zen 3, AVX2).
@@ -11,19 +13,23 @@ namespace vortree::tree {
 // Loops over no more things than these are left to one thread: waking the others costs more than
 // they save. One for each kind of loop, here and in fmm.
 
+/// The numbers below are those of threads that sleep between loops; where they look out for the
+/// next one so many times fewer things are worth it.
+inline const std::uint32_t sooner = threads_sleep() ? 1 : 16;
+
 /// Points to encode, sort and build a tree of. Threads that slept are some 50 microseconds late,
 /// and a tree takes ten turns of them: fewer points are done by then.
-inline constexpr std::size_t worth_sharing = 150000;
+inline const std::size_t worth_sharing = 150000 / sooner;
 /// Points to sort and encode in cells below the finest level.
-inline constexpr std::uint32_t deep_points_worth_sharing = 2048;
+inline const std::uint32_t deep_points_worth_sharing = 2048 / sooner;
 /// Values that one pass reads side by side: extremes, limits.
-inline constexpr std::size_t values_worth_sharing = 50000;
+inline const std::size_t values_worth_sharing = 50000 / sooner;
 /// Records that one pass brings together or fetches out of order.
-inline constexpr std::size_t records_worth_sharing = 20000;
+inline const std::size_t records_worth_sharing = 20000 / sooner;
 /// Cells, each a matter of some copies and comparisons: kin, frames, bounding boxes, colleagues.
-inline constexpr std::uint32_t cells_worth_sharing = 2048;
+inline const std::uint32_t cells_worth_sharing = 2048 / sooner;
 /// Cells, each a matter of its series.
-inline constexpr std::uint32_t series_worth_sharing = 512;
+inline const std::uint32_t series_worth_sharing = 512 / sooner;
 /// Registers full of families whose multipoles go up to their parents.
 inline constexpr std::size_t upward_worth_sharing = 8;
 /// The same where expansions come down: 27 translations each, so that two are enough.

@@ -39,10 +39,39 @@ void check_radius(std::span<const double> radius, std::size_t places) {
                               "] is " + told(*unfit) + "; it must be finite and >= 0");
 }
 
-// From a place to the nearest of an interval.
-double to_nearest(double low, double high, double place) {
-  return low > place ? low - place : high < place ? high - place : 0.0;
-}
+// From a place to a point, and to the nearest that an interval may hold.
+struct InPlane {
+  double x, y;
+
+  [[nodiscard]] double dx(double at) const { return at - x; }
+  [[nodiscard]] double dy(double at) const { return at - y; }
+  [[nodiscard]] double dx(double low, double high) const { return to_nearest(low, high, x); }
+  [[nodiscard]] double dy(double low, double high) const { return to_nearest(low, high, y); }
+
+  static double to_nearest(double low, double high, double place) {
+    return low > place ? low - place : high < place ? high - place : 0.0;
+  }
+};
+
+// The same of nearest images: min(d, L - d) is least at an end of the d that an interval allows.
+struct InBox {
+  double x, y;
+  PeriodicBox period;
+
+  [[nodiscard]] double dx(double at) const { return nearest_image(at - x, period.x); }
+  [[nodiscard]] double dy(double at) const { return nearest_image(at - y, period.y); }
+  [[nodiscard]] double dx(double low, double high) const {
+    return to_nearest(low, high, x, period.x);
+  }
+  [[nodiscard]] double dy(double low, double high) const {
+    return to_nearest(low, high, y, period.y);
+  }
+
+  static double to_nearest(double low, double high, double place, double period) {
+    const double least = std::abs(InPlane::to_nearest(low, high, place));
+    return std::min(least, period - std::max(high - place, place - low));
+  }
+};
 
 using Found = std::vector<std::int32_t>;
 
@@ -59,9 +88,10 @@ void join(std::span<const Found> found, std::size_t places, PairList& rows) {
 
 }  // namespace
 
-BallSearch::BallSearch(Points points) {
+BallSearch::BallSearch(Points points, const PeriodicBox& box) : box_(box) {
   const Domain domain = enclose(points);
   check_count(points.size());
+  check_inside(box, points);
   tree_ = build_reverse(morton_order(points, domain), crowded(ball_capacity));
   const auto order = tree_.order();
   const auto cells = tree_.cells();
@@ -84,23 +114,29 @@ BallSearch::BallSearch(Points points) {
   }
 }
 
-void BallSearch::find(double x, double y, double radius, Found& found) const {
+template <class Distance>
+void BallSearch::walk(const Distance& distance, double radius, Found& found) const {
   std::array<std::uint32_t, 4 * (max_level + 1)> waiting{0};
   std::size_t count = boxes_.empty() ? 0 : 1;
   while (count > 0) {
     const std::uint32_t c = waiting[--count];
     const Box& box = boxes_[c];
-    const double dx = to_nearest(box.left, box.right, x), dy = to_nearest(box.low, box.high, y);
+    const double dx = distance.dx(box.left, box.right), dy = distance.dy(box.low, box.high);
     if (!within<PairRule::own>(dx, dy, radius, radius)) continue;
     const Cell& cell = tree_.cells()[c];
     for (std::uint32_t k = cell.children.first; k < cell.children.last; ++k) waiting[count++] = k;
     if (!cell.childless()) continue;
     for (std::uint32_t k = cell.points.first; k < cell.points.last; ++k) {
-      if (within<PairRule::own>(x_[k] - x, y_[k] - y, radius, radius)) {
+      if (within<PairRule::own>(distance.dx(x_[k]), distance.dy(y_[k]), radius, radius)) {
         found.push_back(static_cast<std::int32_t>(tree_.order()[k]));
       }
     }
   }
+}
+
+void BallSearch::find(double x, double y, double radius, Found& found) const {
+  if (!box_.periodic()) return walk(InPlane{x, y}, radius, found);
+  walk(InBox{x, y, {period_of(box_.x), period_of(box_.y)}}, radius, found);
 }
 
 void BallSearch::list(Points places, std::span<const double> radius, PairList& rows) const {
@@ -114,7 +150,8 @@ void BallSearch::list(Points places, std::span<const double> radius, PairList& r
   for_each_piece(parts, [&](std::size_t p) {
     for (std::size_t i = p * ball_portion; i < std::min(n, (p + 1) * ball_portion); ++i) {
       const std::size_t before = found[p].size();
-      find(places.x[i], places.y[i], radius[i], found[p]);
+      const double x = image_in_box(places.x[i], box_.x), y = image_in_box(places.y[i], box_.y);
+      find(x, y, radius[i], found[p]);
       std::sort(found[p].begin() + static_cast<std::ptrdiff_t>(before), found[p].end());
       rows.start[i + 1] = static_cast<std::int64_t>(found[p].size() - before);
     }

@@ -7,6 +7,7 @@
 #include "tree/base/buffer.hpp"
 #include "tree/build/quadtree.hpp"
 #include "tree/neighbors/pair_list.hpp"
+#include "tree/neighbors/periodic_box.hpp"
 #include "tree/order/points.hpp"
 
 namespace vortree::tree {
@@ -17,6 +18,9 @@ namespace vortree::tree {
 ///
 /// by the very rule of lists (`own`, pair_rule.hpp): a point at the place itself is near.
 ///
+/// In a periodic box dx and dy are those of the nearest images (periodic_box.hpp), and a place
+/// outside stands for its image inside.
+///
 /// A tree of the points is walked from its root; into no cell whose points' bounding box has no
 /// place within the radius. Rounding is monotone, so the box needs no margin.
 ///
@@ -25,8 +29,9 @@ namespace vortree::tree {
 class BallSearch {
  public:
   /// throws  std::invalid_argument if sizes differ, if there are 2^31 points or more, or naming the
-  ///         first coordinate that is not finite or exceeds largest_coordinate (points.hpp)
-  explicit BallSearch(Points points);
+  ///         first coordinate that is not finite or exceeds largest_coordinate (points.hpp), or as
+  ///         check_inside() does
+  explicit BallSearch(Points points, const PeriodicBox& box = {});
 
   /// Lists the points near every place, in ascending order of their numbers.
   ///
@@ -37,13 +42,20 @@ class BallSearch {
   ///         not finite; std::length_error if there are more than rows.most points in all rows
   void list(Points places, std::span<const double> radius, PairList& rows) const;
 
+  /// Appends the points near one place, in the order of the tree.
+  ///
+  /// x, y, radius   as above, and in the box
+  void find(double x, double y, double radius, std::vector<std::int32_t>& found) const;
+
  private:
   struct Box {
     double left, right, low, high;
   };
 
-  void find(double x, double y, double radius, std::vector<std::int32_t>& found) const;
+  template <class Distance>
+  void walk(const Distance& distance, double radius, std::vector<std::int32_t>& found) const;
 
+  PeriodicBox box_;
   Quadtree tree_;
   Buffer<double> x_, y_;  // in the order of the tree
   std::vector<Box> boxes_;

@@ -19,6 +19,7 @@
 #include "io/while_reading.hpp"
 #include "neighbors/methods.hpp"
 #include "tree/cells/home_cells.hpp"
+#include "tree/neighbors/crossing_pairs.hpp"
 
 namespace vortree::app {
 namespace {
@@ -28,12 +29,15 @@ struct Laps {
 };
 
 void search(neighbors::NeighborMethod& method, const neighbors::NeighborJob& job,
-            tree::PairList& rows, Laps& laps) {
+            const tree::PeriodicBox& box, tree::PairList& rows, Laps& laps) {
   Stopwatch watch;
   watch.begin("tree");
   method.build(job);
+  std::optional<tree::CrossingPairs> crossing;
+  if (box.periodic()) crossing.emplace(job.points, job.reach, box);
   watch.begin("search");
   method.search(job, rows);
+  if (crossing) crossing->add_to(job.rule, job.listing, rows);
   watch.end();
   laps.tree.push_back(watch.seconds("tree"));
   laps.search.push_back(watch.seconds("search"));
@@ -54,11 +58,16 @@ io::ParticleFile read_particles(const NeighborsJob& job) {
   // Once for all methods.
   try {
     tree::check_particles({particles.x, particles.y}, particles.reach);
+    tree::check_inside(job.box, {particles.x, particles.y});
   } catch (const std::invalid_argument& refused) {
     throw io::InputError(fmt::format("{}: {}", job.in.string(), refused.what()));
   }
   return particles;
 }
+
+// That a particle takes beyond those of its method if it is near an edge of the box, as all may be:
+// a place in a second tree, and in a second list.
+constexpr std::size_t crossing_bytes = 100, copied_bytes = sizeof(std::int32_t);
 
 // How many pairs the free memory holds. Who asks the system for more than that is killed without a
 // word.
@@ -66,14 +75,15 @@ io::ParticleFile read_particles(const NeighborsJob& job) {
 // throws  std::runtime_error with numbers, if it does not even hold the particles
 std::int64_t room_for_pairs(const NeighborsJob& job, const neighbors::NeighborMaker& maker,
                             std::size_t n, std::uint64_t free) {
-  const std::uint64_t taken = n * maker.particle_bytes;
+  const bool box = job.box.periodic();
+  const std::uint64_t taken = n * (maker.particle_bytes + (box ? crossing_bytes : 0));
   if (taken > free) {
     throw std::runtime_error(fmt::format(
         "{}: the neighbors of {} particles take {:.3g} GB besides their pairs; {:.3g} GB are free",
         job.in.string(), n, 1e-9 * static_cast<double>(taken), 1e-9 * static_cast<double>(free)));
   }
-  return static_cast<std::int64_t>(
-      std::min<std::uint64_t>((free - taken) / maker.pair_bytes, INT64_MAX));
+  return static_cast<std::int64_t>(std::min<std::uint64_t>(
+      (free - taken) / (maker.pair_bytes + (box ? copied_bytes : 0)), INT64_MAX));
 }
 
 // throws  std::runtime_error with numbers, if there are more pairs than memory holds
@@ -84,7 +94,7 @@ Laps search(const NeighborsJob& job, const neighbors::NeighborMaker& maker,
   const std::uint64_t free = free_memory();
   rows.most = room_for_pairs(job, maker, asked.points.size(), free);
   try {
-    for (int k = 0; k < job.repeat; ++k) search(*method, asked, rows, laps);
+    for (int k = 0; k < job.repeat; ++k) search(*method, asked, job.box, rows, laps);
   } catch (const std::length_error& refused) {
     throw std::runtime_error(fmt::format("{}: {}; {:.3g} GB of memory were free", job.in.string(),
                                          refused.what(), 1e-9 * static_cast<double>(free)));
@@ -102,6 +112,10 @@ io::Attributes attributes_of(const NeighborsJob& job, std::size_t particles) {
   about.emplace_back("method", job.method);
   about.emplace_back("rule", std::string(name_of(job.rule)));
   about.emplace_back("half", std::int64_t{job.half});
+  if (job.box.periodic()) {
+    about.emplace_back("period_x", job.box.x);
+    about.emplace_back("period_y", job.box.y);
+  }
   return about;
 }
 
@@ -164,6 +178,7 @@ std::string neighbors(const NeighborsJob& job) {
   report["threads"] = omp_get_max_threads();
   report["rule"] = name_of(job.rule);
   report["half"] = job.half;
+  if (job.box.periodic()) report["periodic"] = {job.box.x, job.box.y};
   report["pairs"] = rows.index.size();
   report["peak_bytes"] = peak_bytes();
   report["seconds"]["tree"] = median(laps.tree);

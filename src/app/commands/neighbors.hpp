@@ -7,6 +7,7 @@
 
 #include "tree/neighbors/pair_list.hpp"
 #include "tree/neighbors/pair_rule.hpp"
+#include "tree/neighbors/periodic_box.hpp"
 
 namespace vortree::app {
 
@@ -15,6 +16,7 @@ std::vector<std::string> neighbor_methods();
 
 /// in     a word of io::read_particles
 /// reach  of all particles, whatever their file says
+/// box    whose nearest images are asked for, by any method; none: the plane
 /// said   the command line, for the output to tell
 struct NeighborsJob {
   std::filesystem::path in, out;
@@ -22,6 +24,7 @@ struct NeighborsJob {
   std::string said;
   std::string method = "qcg";
   tree::PairRule rule = tree::PairRule::max;
+  tree::PeriodicBox box;
   bool half = false;  // each pair once
   int repeat = 1;
 };
@@ -31,8 +34,9 @@ struct NeighborsJob {
 /// .csv a line for each entry: the particle `i` and its neighbor `j`, counted from 0.
 ///
 /// returns  what was done, as JSON on one line, for standard output: n, method, builder, threads,
-///          rule, half, pairs (as many as index has), peak_bytes, seconds {tree, search, total:
-///          medians of all repetitions; io}. The builder of a method that has no tree is null.
+///          rule, half, periodic (both lengths, of a box), pairs (as many as index has),
+///          peak_bytes, seconds {tree, search, total: medians of all repetitions; io}. The builder
+///          of a method that has no tree is null.
 /// throws   io::InputError for wrong files, std::invalid_argument for each pair once under rule
 ///          own, std::runtime_error for more particles or pairs than the free memory holds
 std::string neighbors(const NeighborsJob& job);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/install_paths.hpp"
+#include "app/plot.hpp"
 #include "io/files.hpp"
 #include "io/frames/frames.hpp"
 #include "io/frames/read.hpp"
@@ -118,24 +119,30 @@ void refuse_older_table(const fs::path& table) {
   if (has_rows(table)) refuse_older(table);
 }
 
-void refuse_older_figures(const fs::path& folder, std::string_view kind) {
-  for (const fs::path& script : plot_scripts(kind)) {
-    const fs::path figure = (folder / script.stem()).concat(".png");
-    if (fs::exists(fs::symlink_status(figure))) refuse_older(figure);
-  }
+void refuse_older_figures(const fs::path& folder, std::string_view kind,
+                          std::span<const std::string> formats) {
+  const std::array<std::string, 1> usual{"png"};
+  for (const fs::path& script : plot_scripts(kind))
+    for (const std::string& format :
+         formats.empty() ? std::span<const std::string>(usual) : formats) {
+      const fs::path figure = (folder / script.stem()).concat("." + format);
+      if (fs::exists(fs::symlink_status(figure))) refuse_older(figure);
+    }
 }
 
 void remove_older_figures(const fs::path& folder, std::string_view kind) {
-  for (const fs::path& script : plot_scripts(kind)) {
-    const fs::path figure = (folder / script.stem()).concat(".png");
-    if (fs::is_regular_file(figure)) io::remove_file(figure);
-  }
+  for (const fs::path& script : plot_scripts(kind))
+    for (const std::string& format : figure_formats()) {
+      const fs::path figure = (folder / script.stem()).concat("." + format);
+      if (fs::is_regular_file(figure)) io::remove_file(figure);
+    }
 }
 
 void remove_older_tables_and_pictures(const fs::path& folder) {
   for (const char* name : tables) io::remove_file(folder / name);
   for (const char* name : {"probes.csv", "fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5",
-                           "lyapunov.xdmf", "movie.mp4", "movie.webp", "movie.gif", "view.html"})
+                           "lyapunov.xdmf", "movie.mp4", "movie.webp", "movie.gif", "view.html",
+                           "failed.txt"})
     io::remove_file(folder / name);
   remove_older_figures(folder);
 }

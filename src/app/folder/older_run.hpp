@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace vortree::app {
@@ -22,10 +24,11 @@ void refuse_older_table(const std::filesystem::path& table);
 /// The same for figures, which show other files of their folder: where one stands without them, as
 /// before a run begins, it is not ours to replace.
 ///
-/// kind  of the scripts that will draw, as for plot()
-void refuse_older_figures(const std::filesystem::path& folder, std::string_view kind = {});
+/// kind, formats  of the scripts that will draw, as for plot()
+void refuse_older_figures(const std::filesystem::path& folder, std::string_view kind = {},
+                          std::span<const std::string> formats = {});
 
-/// Removes the figures that scripts of this kind have drawn there.
+/// Removes the figures that scripts of this kind have drawn there, in all formats.
 void remove_older_figures(const std::filesystem::path& folder, std::string_view kind = {});
 
 /// Removes what an older run has left beside its frames and summary: tables, pictures, figures,

@@ -63,11 +63,11 @@ bool made(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& path)
+OutputFolder::OutputFolder(const fs::path& path, Use use)
     : path_(path),
       made_(made(path)),
       folder_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (folder_ >= 0 && ::flock(folder_, LOCK_EX | LOCK_NB) == 0) {
+  if (folder_ >= 0 && ::flock(folder_, (use == Use::alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0) {
     if (made_) io::force_folder(fs::absolute(path).lexically_normal().parent_path());
     return;
   }
@@ -82,6 +82,11 @@ OutputFolder::OutputFolder(const fs::path& path)
 
 OutputFolder::~OutputFolder() {
   if (made_) ::rmdir(path_.c_str());  // refused by the system if there is something in it
+}
+
+bool being_filled(const fs::path& path) {
+  const io::Descriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return folder >= 0 && !holder_of(folder).empty();
 }
 
 }  // namespace vortree::app

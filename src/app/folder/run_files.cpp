@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -14,8 +13,8 @@
 #include "app/install_paths.hpp"
 #include "app/say.hpp"
 #include "io/files.hpp"
+#include "io/frames/stored_scene.hpp"
 #include "io/scene/reference.hpp"
-#include "io/scene/schema.hpp"
 #include "io/tables/outline.hpp"
 #include "io/while_reading.hpp"
 
@@ -26,16 +25,6 @@ namespace fs = std::filesystem;
 
 const std::string fields_key = "times of fields";  // in the state of a frame
 
-io::RunInfo run_info(const io::Scene& scene) {
-  return {.version = version(),
-          .scene_path = scene.origin.path.string(),
-          .scene = scene.origin.text,
-          .resolved = io::resolved(scene),
-          .overrides = scene.origin.overrides,
-          .seed = scene.seed,
-          .units = "consistent: lengths, times and circulations as in the scene"};
-}
-
 /// What can no longer be written in the middle of a run is nobody's input.
 void on_the_way(const std::function<void()>& write) {
   try {
@@ -43,48 +32,6 @@ void on_the_way(const std::function<void()>& write) {
   } catch (const io::InputError& refused) {
     throw std::runtime_error(refused.what());
   }
-}
-
-/// What may change on the way: where a run ends, what it writes, and what it is held against. That
-/// an accuracy was asked for does not count beside what was chosen by it.
-bool may_change(std::string_view key) {
-  return key == "title" || key == "accuracy" || key == "time.end" || key.starts_with("output.") ||
-         key.starts_with("check.");
-}
-
-/// The table, or key at the top, of the first difference that would change the flow, or nothing.
-std::string difference(const io::Scene& a, const io::Scene& b) {
-  const std::string name = io::first_difference(a, b, may_change);
-  const std::size_t dot = name.find('.');
-  return dot == std::string::npos ? name : fmt::format("[{}]", name.substr(0, dot));
-}
-
-/// What scenes were like before they knew of a key: blobs were split into rings.
-std::vector<std::string> before_its_keys(std::string_view resolved) {
-  const std::size_t table = resolved.find("[splitting]\n");
-  if (table == std::string_view::npos) return {};
-  const std::string_view rest = resolved.substr(table);
-  const bool known = rest.substr(0, rest.find("\n[")).find("\nscheme") != std::string_view::npos;
-  return known ? std::vector<std::string>{} : std::vector<std::string>{"splitting.scheme=ring"};
-}
-
-io::Scene stored_scene(const io::RunInfo& info, const fs::path& file, const io::Scene& now) {
-  try {
-    return io::parse_scene(info.resolved, now.origin.path, now.methods,
-                           before_its_keys(info.resolved));
-  } catch (const io::InputError& error) {
-    throw io::InputError(
-        fmt::format("{}: the scene stored in it is none: {}", file.string(), error.what()));
-  }
-}
-
-void require_time_of_step(const io::Frame& frame, double dt, const fs::path& file) {
-  const double expected = static_cast<double>(frame.step) * dt;
-  if (std::abs(frame.time - expected) <= 1e-12 * expected) return;
-  throw io::InputError(fmt::format(
-      "{}: the frame of step {} is that of t = {}, where steps of time.dt = {} come to t = {}: the "
-      "file is damaged, or another run's",
-      file.string(), frame.step, frame.time, dt, expected));
 }
 
 }  // namespace
@@ -100,7 +47,8 @@ void RunFiles::require_outputs() const {
   std::vector<fs::path> inputs{scene_.origin.path};
   for (const auto& reference :
        {scene_.check.drag_reference, scene_.check.lift_reference,
-        scene_.check.wall_vorticity_reference, scene_.check.moments_reference})
+        scene_.check.wall_vorticity_reference, scene_.check.front_pressure_reference,
+        scene_.check.moments_reference})
     if (reference) inputs.push_back(io::reference_path(scene_, *reference));
   for (const body::BodySettings& body : flow::every_body(scene_))
     for (const auto& file : {body.file, body.motion ? body.motion->file : std::nullopt})
@@ -124,7 +72,7 @@ void RunFiles::require_outputs() const {
 void RunFiles::begin() {
   require_outputs();
   io::remove_file(folder_ / "summary.json");
-  io::create_frames(folder_, run_info(scene_), solver_.columns());
+  io::create_frames(folder_, io::info_of(scene_, version()), solver_.columns());
   remove_older_tables_and_pictures(folder_);
   outline();
   tables_.begin();
@@ -140,18 +88,14 @@ io::Frame RunFiles::last_frame() const {
   io::RecoveredFrames found = io::read_last_good(file);
   if (!found.warning.empty()) say_line(found.warning);
   if (!found.last) throw io::InputError(fmt::format("{}: no frame to go on from", file.string()));
-  const io::Scene was = stored_scene(found.info, file, scene_);
-  if (const std::string where = difference(was, scene_); !where.empty())
-    throw io::InputError(
-        fmt::format("{}: was run with another {} than {} has now, or than this version "
-                    "chooses; only time.end, [output] and [check] may change on the way",
-                    file.string(), where, scene_.origin.path.string()));
-  require_time_of_step(*found.last, scene_.time.dt, file);
+  io::hold_scene(io::stored_scene(found.info, file, scene_.origin.path, scene_.methods), scene_,
+                 file);
+  io::hold_time(*found.last, scene_.time.dt, file);
   return *std::move(found.last);
 }
 
 io::Scene scene_of_frames(const fs::path& frames, const io::Scene& now) {
-  return stored_scene(io::info_of_frames(frames), frames, now);
+  return io::stored_scene(io::info_of_frames(frames), frames, now.origin.path, now.methods);
 }
 
 void RunFiles::resume_fields(const io::Frame& frame) {

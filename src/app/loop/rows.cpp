@@ -13,10 +13,6 @@ std::string saved_name(const std::string& column) {
   return "row " + column;
 }
 
-std::string of_number(std::size_t body) {
-  return " of body " + std::to_string(body + 1);
-}
-
 }  // namespace
 
 Rows::Rows(const flow::Solver& solver, const flow::Scales& scales)
@@ -96,7 +92,8 @@ void Rows::save(flow::State& state) const {
   for (std::size_t k = 0; k < names.size(); ++k)
     state[saved_name(names[k])] = {waiting_.seconds[k]};
   forces_.save(state);
-  for (std::size_t k = 0; k < on_each_.size(); ++k) on_each_[k].save(state, of_number(k));
+  for (std::size_t k = 0; k < on_each_.size(); ++k)
+    on_each_[k].save(state, flow::ForceHistory::named(k));
 }
 
 void Rows::restore(const flow::State& state) {
@@ -106,7 +103,8 @@ void Rows::restore(const flow::State& state) {
     seconds.push_back(flow::saved_number(state, saved_name(name)));
   waiting_ = now(std::move(seconds));
   forces_.restore(state);
-  for (std::size_t k = 0; k < on_each_.size(); ++k) on_each_[k].restore(state, of_number(k));
+  for (std::size_t k = 0; k < on_each_.size(); ++k)
+    on_each_[k].restore(state, flow::ForceHistory::named(k));
 }
 
 }  // namespace vortree::app

@@ -1,6 +1,7 @@
 #include "app/loop/run.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <memory>
@@ -28,6 +29,7 @@
 #include "io/files.hpp"
 #include "io/frames/frames.hpp"
 #include "io/quote.hpp"
+#include "provenance/provenance.hpp"
 
 namespace vortree::app {
 namespace {
@@ -41,6 +43,7 @@ class Run {
       : scene_(std::move(scene)),
         folder_(options.out),
         figures_(options.figures),
+        figures_as_(options.figures_as),
         timetable_(scene_),
         scales_(flow::scales_of(scene_)),
         solver_(scene_.computed_by().begin(scene_, machine_memory())),
@@ -72,9 +75,11 @@ class Run {
 
   Stopwatch watch_;
   double processor_start_ = processor_seconds();
+  std::vector<std::string> origin_ = provenance();
   io::Scene scene_;
   fs::path folder_;
   bool figures_;
+  std::vector<std::string> figures_as_;
   Timetable timetable_;
   flow::Scales scales_;
   std::unique_ptr<flow::Solver> solver_;
@@ -234,8 +239,8 @@ RunResult Run::finish() {
   const std::vector<checks::Verdict> list = checks::verdicts(scene_, folder_, *solver_, scales_);
   totals_ = totals_so_far();
   io::write_text(folder_ / "summary.json",
-                 summary(scene_, folder_, *solver_, rows_.phases(), totals_, list));
-  if (figures_) plot(folder_);
+                 summary(scene_, folder_, *solver_, rows_.phases(), totals_, origin_, list));
+  if (figures_) plot(folder_, {}, figures_as_);
   tell("{} steps, {} {}s at the end, {:.1f} s, {:.2f} million particle-steps/s; results in {}\n",
        step(), solver_->particles(), solver_->particle(), totals_.seconds,
        totals_.particle_steps / totals_.seconds / 1e6, io::printable(folder_.string()));
@@ -247,7 +252,9 @@ RunResult Run::finish() {
           .most_particles = totals_.most_particles,
           .particle_steps = totals_.particle_steps,
           .seconds = totals_.seconds,
-          .processor_seconds = totals_.processor_seconds};
+          .processor_seconds = totals_.processor_seconds,
+          .threads = omp_get_max_threads(),
+          .origin = origin_};
 }
 
 /// One that was killed before its first frame was on the disk can only begin anew.
@@ -282,7 +289,7 @@ RunResult run(const RunOptions& options, const flow::Methods& among) {
   const OutputFolder folder(options.out);
   if (!options.resume && !options.overwrite) {
     refuse_older_run(options.out);
-    if (options.figures) refuse_older_figures(options.out);
+    if (options.figures) refuse_older_figures(options.out, {}, options.figures_as);
   }
   for (const std::string& doubt : doubts) say("warning: {}", doubt);
   Run run(std::move(scene), options);

@@ -17,17 +17,21 @@ struct RunOptions {
   bool overwrite = false;  // an older run in `out` may be replaced
   int threads = 0;         // 0: all; OpenMP is already told
   bool figures = true;
+  std::vector<std::string> figures_as{};  // of figure_formats(); none: png
 };
 
 /// What came of a run.
 ///
 /// finished  false: the user stopped it, it can be resumed
 /// seconds   wall time of all its parts; processor_seconds: what all threads have worked
+/// threads   of its last part, and where that came from: lines of provenance()
 struct RunResult {
   bool finished = false;
   std::vector<checks::Verdict> verdicts{};
   long steps = 0;
   double most_particles = 0, particle_steps = 0, seconds = 0, processor_seconds = 0;
+  int threads = 0;
+  std::vector<std::string> origin{};
 
   /// It came to its end and missed nothing that was asked and could be seen by then.
   bool passed() const;

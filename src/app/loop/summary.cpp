@@ -1,14 +1,18 @@
 #include "app/loop/summary.hpp"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "app/install_paths.hpp"
 #include "app/json.hpp"
 #include "base/memory.hpp"
+#include "io/files.hpp"
+#include "io/input_error.hpp"
 #include "io/tables/table.hpp"
 
 namespace vortree::app {
@@ -38,6 +42,40 @@ Json check(std::span<const checks::Verdict> verdicts) {
   return json;
 }
 
+checks::Verdict verdict_in(const std::string& what, const Json& one) {
+  checks::Verdict verdict{what, one.at("asked"), {}};
+  const Json& value = one.at("reached");
+  if (!value.is_null())
+    verdict.reached.value = value.get<double>();
+  else if (one.at("status") == "missed")
+    verdict.reached.value = std::numeric_limits<double>::quiet_NaN();
+  else
+    verdict.reached.why = one.at("why");
+  return verdict;
+}
+
+/// The numbers that a count of particles was, by whatever name.
+double largest_count(const Json& json) {
+  for (const auto& [name, value] : json.items())
+    if (name.starts_with("largest_") && name.ends_with("_count")) return value;
+  throw Json::other_error::create(500, "no largest count", &json);
+}
+
+RunResult result_of(const Json& json) {
+  RunResult result{.finished = true,
+                   .steps = json.at("steps"),
+                   .most_particles = largest_count(json),
+                   .particle_steps = json.at("particle_steps"),
+                   .seconds = json.at("seconds").at("total"),
+                   .processor_seconds = json.at("processor_seconds"),
+                   .threads = json.at("threads")};
+  for (const auto& [name, words] : json.at("provenance").items())
+    result.origin.push_back(name + ": " + words.get<std::string>());
+  for (const auto& [name, one] : json.at("check").items())
+    if (name != "passed") result.verdicts.push_back(verdict_in(name, one));
+  return result;
+}
+
 }  // namespace
 
 void Totals::save(flow::State& state) const {
@@ -56,13 +94,18 @@ void Totals::restore(const flow::State& state) {
 
 std::string summary(const io::Scene& scene, const std::filesystem::path& folder,
                     const flow::Solver& solver, std::span<const std::string> phases,
-                    const Totals& totals, std::span<const checks::Verdict> verdicts) {
+                    const Totals& totals, std::span<const std::string> origin,
+                    std::span<const checks::Verdict> verdicts) {
   Json json;
   json["scene"] = scene.origin.path.string();
   json["title"] = scene.title;
   json["version"] = version();
   json["threads"] = omp_get_max_threads();
   json["method"] = scene.method;
+  for (const std::string& line : origin) {
+    const std::size_t colon = line.find(": ");
+    json["provenance"][line.substr(0, colon)] = line.substr(colon + 2);
+  }
   json["steps"] = solver.steps();
   json[solver.particle() + "s"] = solver.particles();
   json["largest_" + solver.particle() + "_count"] = std::llround(totals.most_particles);
@@ -83,6 +126,19 @@ std::string summary(const io::Scene& scene, const std::filesystem::path& folder,
     json[number.name.substr(0, dot)][number.name.substr(dot + 1)] = number.value;
   }
   return page(json);
+}
+
+std::optional<RunResult> result_in(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "summary.json";
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return std::nullopt;
+  try {
+    return result_of(Json::parse(io::read_text(file)));
+  } catch (const Json::exception&) {
+    throw io::InputError(fmt::format(
+        "{}: is damaged, or of an earlier version; the run with --resume writes it again",
+        file.string()));
+  }
 }
 
 }  // namespace vortree::app

@@ -30,9 +30,13 @@ std::vector<double> ShapeGroup::perimeters() const {
   return all;
 }
 
+std::size_t ShapeGroup::curve_at(double arc) const {
+  return std::upper_bound(first_arc_.begin() + 1, first_arc_.end() - 1, arc) - first_arc_.begin() -
+         1;
+}
+
 Vec2 ShapeGroup::point(double arc) const {
-  const auto after = std::upper_bound(first_arc_.begin() + 1, first_arc_.end() - 1, arc);
-  const std::size_t k = after - first_arc_.begin() - 1;
+  const std::size_t k = curve_at(arc);
   return members_[k]->point(arc - first_arc_[k]);
 }
 

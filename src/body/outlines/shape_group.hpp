@@ -35,6 +35,7 @@ class ShapeGroup final : public Shape {
 
   double perimeter() const override { return first_arc_.back(); }
   std::vector<double> perimeters() const override;
+  std::size_t curve_at(double arc) const override;
   Vec2 point(double arc) const override;
   WallPoint nearest(Vec2 at) const override;
   double distance(Vec2 at) const override;

@@ -137,6 +137,17 @@ void create_frames(const fs::path& dir, const RunInfo& info, const flow::Columns
   write_derived_text(xdmf_path(dir), xdmf_text("frames.h5", {}));
 }
 
+void write_frames(const fs::path& file, const RunInfo& info, const Frame& frame) {
+  require_equal_lengths(frame);
+  require_writable(file);
+  h5::replace_file(file, [&](const fs::path& fresh) {
+    write_empty_frames(fresh, info, frame.columns);
+    h5::Handle opened = h5::open_file(fresh, H5F_ACC_RDWR);
+    write_frame(opened, frame);
+    h5::close_file(std::move(opened), fresh);
+  });
+}
+
 void append_frame(const fs::path& dir, const Frame& frame) {
   require_equal_lengths(frame);
   const fs::path path = frames_path(dir);

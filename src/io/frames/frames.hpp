@@ -65,6 +65,12 @@ void create_frames(const std::filesystem::path& dir, const RunInfo&,
 ///         std::runtime_error if it cannot be written, or the frame before is not what it was
 void append_frame(const std::filesystem::path& dir, const Frame&);
 
+/// A frames file of one frame, in the place of an older file in one rename; without frames.xdmf.
+///
+/// throws  std::invalid_argument if the columns differ in length, InputError if the file cannot be
+///         written there, std::runtime_error if it could not
+void write_frames(const std::filesystem::path& file, const RunInfo&, const Frame&);
+
 /// What a frames file, healthy or not, still holds.
 struct RecoveredFrames {
   RunInfo info;

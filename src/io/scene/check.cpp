@@ -40,6 +40,9 @@ bool wake(const Scene& s) {
 bool wall(const Scene& s) {
   return single(s) && s.check.wall_vorticity_reference;
 }
+bool front(const Scene& s) {
+  return single(s) && s.check.front_pressure_reference;
+}
 bool moments(const Scene& s) {
   return s.check.moments_reference.has_value();
 }
@@ -101,6 +104,8 @@ constexpr Prerequisite needs[] = {
     {"separation_max_deg", &C::separation_max_deg, wake, wake_reference},
     {"wall_vorticity_max", &C::wall_vorticity_max, wall, wall_reference},
     {"wall_vorticity_rms", &C::wall_vorticity_rms, wall, wall_reference},
+    {"front_pressure_max", &C::front_pressure_max, front,
+     "a single [body] and check.front_pressure_reference"},
     {"lift_error_max", &C::lift_error_max, lift, lift_reference},
     {"lift_error_rms", &C::lift_error_rms, lift, lift_reference},
     {"lift_max", &C::lift_max, body, "[body]"},
@@ -193,6 +198,8 @@ const std::array references{
               &C::wall_vorticity_reference,
               {{"T"}, {"theta_deg"}, {"omega_R_over_U"}},
               true},
+    Reference{
+        "check.front_pressure_reference", &C::front_pressure_reference, {{"T"}, {"cp_front"}}},
     Reference{"check.moments_reference",
               &C::moments_reference,
               {{"t"},
@@ -322,6 +329,11 @@ std::vector<Key> against_references(CheckSettings& c) {
            "wall vorticity: root mean square over the times of the same"),
       from("wall_vorticity_from", c.wall_vorticity_from,
            "wall vorticity counts from this T on, 0 if not written"),
+      file("front_pressure_reference", c.front_pressure_reference, "CSV file of T and cp_front"),
+      most("front_pressure_max", c.front_pressure_max,
+           "pressure at the front of the body: largest deviation of C_p, by vortices"),
+      from("front_pressure_from", c.front_pressure_from,
+           "pressure at the front counts from this T on, 0 if not written"),
       most("bubble_max", c.bubble_max,
            "length of the bubble behind the body: largest deviation, relative"),
       from("bubble_from", c.bubble_from, "the bubble counts from this T on, 0 if not written"),

@@ -101,7 +101,8 @@ flow::Warnings doubt_references(const Scene& scene) {
   const CheckSettings& check = scene.check;
   for (const auto& [key, written] :
        {std::pair{"drag", check.drag_reference}, std::pair{"lift", check.lift_reference},
-        std::pair{"wall_vorticity", check.wall_vorticity_reference}}) {
+        std::pair{"wall_vorticity", check.wall_vorticity_reference},
+        std::pair{"front_pressure", check.front_pressure_reference}}) {
     if (!written || reynolds == 0 || lacks_reference(scene, *written)) continue;
     const auto noted = noted_reynolds(read_text(reference_path(scene, *written)));
     if (noted && std::abs(*noted / reynolds - 1) > 0.01)

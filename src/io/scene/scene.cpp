@@ -95,6 +95,7 @@ void complete(const Document& document, Scene& scene) {
   flow::AnyMethod& own = method_of(scene);
   flow::refuse_senseless(scene);
   complete_motions(scene);
+  flow::complete_meetings(scene);
   flow::refuse_rest(scene);
   flow::choose_viscosity(scene, written);
   own->choose(scene, written);

@@ -48,6 +48,8 @@ struct CheckSettings {
   std::optional<double> drag_max{}, drag_rms{}, drag_from{}, early_drag_max{};
   std::optional<std::string> wall_vorticity_reference{};
   std::optional<double> wall_vorticity_max{}, wall_vorticity_rms{}, wall_vorticity_from{};
+  std::optional<std::string> front_pressure_reference{};
+  std::optional<double> front_pressure_max{}, front_pressure_from{};
   std::optional<double> bubble_max{}, bubble_from{};
   std::optional<double> separation_max_deg{}, separation_from{};
   std::optional<std::string> lift_reference{};

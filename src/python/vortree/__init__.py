@@ -3,7 +3,7 @@
 - Plan, velocity: velocities of many vortices to a tolerance, by fast multipoles
 - Neighbors: who is near whom, for particles of many sizes
 - Quadtree: the tree under both
-- run, read: a flow by the program, and the folder that it leaves
+- run, read: a flow by the program, or a sweep of flows, and the folder that it leaves
 - Simulation: a flow in memory, step by step
 """
 
@@ -20,8 +20,8 @@ if not _told:
 from ._neighbors import Neighbors  # noqa: E402
 from ._plan import Plan, velocity  # noqa: E402
 from ._quadtree import Quadtree  # noqa: E402
-from ._runs import Run, read, run  # noqa: E402
+from ._runs import Run, Sweep, read, run  # noqa: E402
 from ._simulation import Simulation  # noqa: E402
 
 __version__: str = _core.version
-__all__ = ["Neighbors", "Plan", "Quadtree", "Run", "Simulation", "read", "run", "velocity"]
+__all__ = ["Neighbors", "Plan", "Quadtree", "Run", "Simulation", "Sweep", "read", "run", "velocity"]

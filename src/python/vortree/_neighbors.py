@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import Column, per_point, places, points, thread_count
+from ._arrays import Column, column, per_point, places, points, thread_count
 
 
 class Neighbors:
@@ -31,14 +31,19 @@ class Neighbors:
     reach : array_like, shape (n,), or a number
         Radii of the kernels' supports [m], >= 0.
     rule : "max", "mean" or "own"
+    boxsize : array_like, shape (2,), or a number, optional
+        Lengths [m] after which all comes again along x and y, as cKDTree has them; a number is that
+        of both, along a direction of 0 nothing does. All coordinates are in [0, boxsize) then, and
+        how far two points are apart is told by their nearest images: each pair counts once, however
+        far a reach goes.
     threads : int, optional
         Threads of OpenMP; None: as many as it would take. Lists do not depend on it.
 
     Raises
     ------
     ValueError
-        For lengths that differ, coordinates that are not finite, a reach that is negative or not
-        finite, 2^31 particles or more.
+        For lengths that differ, coordinates that are not finite or not in the box, a reach or a
+        boxsize that is negative or not finite, 2^31 particles or more.
     MemoryError
         When asked, if there are more pairs than the free memory holds, with both numbers.
 
@@ -46,7 +51,6 @@ class Neighbors:
     -----
     Particles are placed once, by quadtree cells grid, in O(n); what was given may change later.
     Other threads of Python run on; of several that ask one object each waits for its turn.
-    There are no periodic boxes.
 
     Examples
     --------
@@ -57,21 +61,26 @@ class Neighbors:
     >>> indptr, indices = near.rows()
     >>> indptr
     array([0, 1, 3, 4])
+    >>> vortree.Neighbors([0.1, 0.9], [0, 0], reach=0.3, boxsize=[1, 0]).query_pairs()
+    {(0, 1)}
     """
 
-    __slots__ = ("_search", "_threads", "_rule")
+    __slots__ = ("_search", "_threads", "_rule", "_boxsize")
 
     def __init__(self, x: ArrayLike, y: ArrayLike | None = None, reach: ArrayLike | None = None,
-                 *, rule: str = "max", threads: int | None = None) -> None:
+                 *, rule: str = "max", boxsize: ArrayLike | None = None,
+                 threads: int | None = None) -> None:
         if rule not in ("max", "mean", "own"):
             raise ValueError(f'rule is "{rule}"; it must be one of "max", "mean", "own"')
         self._rule = rule
         self._threads = thread_count(threads)
-        self._search = _core.Neighbors(*_particles(x, y, reach), self._threads)
+        self._boxsize = None if boxsize is None else _lengths(boxsize)
+        box = (0.0, 0.0) if self._boxsize is None else self._boxsize
+        self._search = _core.Neighbors(*_particles(x, y, reach), *box, self._threads)
 
     def update(self, x: ArrayLike, y: ArrayLike | None = None,
                reach: ArrayLike | None = None) -> None:
-        """Places other particles instead, in the same memory."""
+        """Places other particles instead, in the same memory and the same box."""
         self._search.place(*_particles(x, y, reach), self._threads)
 
     def rows(self, half: bool = False, *, distances: bool = False) -> tuple[NDArray[Any], ...]:
@@ -82,7 +91,7 @@ class Neighbors:
         half : bool
             Each pair in one of its two rows only.
         distances : bool
-            A third array: |x_i - x_j| of each entry [m].
+            A third array: |x_i - x_j| of each entry [m], in a box of nearest images.
 
         Returns
         -------
@@ -160,7 +169,8 @@ class Neighbors:
         Parameters
         ----------
         x, y : array_like of one shape
-            Places [m]; or x of the shape (..., 2), and then query_ball_point(x, r=r).
+            Places [m]; or x of the shape (..., 2), and then query_ball_point(x, r=r). In a box any
+            place stands for its image inside.
         r : array_like of that shape, or a number
             Radii [m], >= 0.
         return_length : bool
@@ -197,7 +207,8 @@ class Neighbors:
         return self._search.size
 
     def __repr__(self) -> str:
-        return f'Neighbors of {len(self)} particles, rule "{self._rule}"'
+        box = "" if self._boxsize is None else ", boxsize ({:g}, {:g})".format(*self._boxsize)
+        return f'Neighbors of {len(self)} particles, rule "{self._rule}"{box}'
 
     @property
     def n(self) -> int:
@@ -207,6 +218,11 @@ class Neighbors:
     @property
     def rule(self) -> str:
         return self._rule
+
+    @property
+    def boxsize(self) -> Column | None:
+        """Lengths of the periodic box, shape (2,) [m]; None: the plane."""
+        return None if self._boxsize is None else np.array(self._boxsize)
 
     @property
     def nbytes(self) -> int:
@@ -219,6 +235,14 @@ def _particles(x: Any, y: Any, reach: Any) -> tuple[Column, Column, Column]:
     if reach is None:
         raise ValueError("reach is missing")
     return x, y, per_point("reach", reach, x.size)
+
+
+def _lengths(boxsize: ArrayLike) -> tuple[float, float]:
+    lengths = column("boxsize", boxsize)
+    if lengths.shape not in ((), (2,)):
+        raise ValueError(f"boxsize has the shape {lengths.shape}; a number or two were expected")
+    x, y = np.broadcast_to(lengths, 2).tolist()
+    return x, y
 
 
 def _check_output(output_type: str, *known: str) -> None:

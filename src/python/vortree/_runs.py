@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import csv
+import itertools
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -19,8 +22,11 @@ _Path = str | os.PathLike[str]
 
 def run(scene: _Path, *, out: _Path | None = None, resume: bool = False,
         overwrite: bool = False, threads: int | None = None,
-        program: _Path | None = None, **keys: Any) -> "Run":
+        program: _Path | None = None, **keys: Any) -> "Run | Any":
     """Runs a scene by the program `vortree`, and reads what it leaves.
+
+    A key that takes one value, and is given several, makes a sweep: a run for each, one after the
+    other, for every combination of them if there are several such keys.
 
     Parameters
     ----------
@@ -35,12 +41,13 @@ def run(scene: _Path, *, out: _Path | None = None, resume: bool = False,
         None: the program beside which this package was built or installed, else the one on PATH.
     **keys
         Instead of what the scene says: accuracy=0.02, flow={"reynolds": 200}, or
-        **{"flow.reynolds": 200}. cases/scenes.md has all keys. A list is one value; of a sweep
-        make one call for each of its runs.
+        **{"flow.reynolds": 200}. cases/scenes.md has all keys. accuracy=[0.02, 0.01], or an array,
+        is a sweep. A key that takes a list, as flow.stream, is swept by a list of lists; a list of
+        tables, as probe, is one value.
 
     Returns
     -------
-    Run
+    Run, or Sweep of lists
 
     Raises
     ------
@@ -48,7 +55,8 @@ def run(scene: _Path, *, out: _Path | None = None, resume: bool = False,
         With the program's own sentence, where a key or the scene is refused, or the folder.
     RuntimeError
         With its sentence, where the run broke off. One that ends, but misses its check, is no
-        error: Run.passed says so.
+        error: Run.passed says so. Nor is a run of a sweep that broke off: it is warned of, and is
+        in Sweep.failed.
     FileNotFoundError
         Where there is no program.
 
@@ -67,30 +75,48 @@ def run(scene: _Path, *, out: _Path | None = None, resume: bool = False,
     (True, True)
     >>> bool(flow.frame(-1).x.size == flow.report["blobs"][-1])
     True
+
+    >>> sweep = vortree.run("cylinder", out=folder.name + "/sweep", accuracy=[0.1, 0.05],
+    ...                     time={"end": 0.1}, output={"fields": []})
+    >>> [case["accuracy"] for case in sweep.cases], sweep.passed
+    ([0.1, 0.05], True)
+    >>> bool(sweep.table["particles"][1] == sweep[1].report["blobs"].max())
+    True
     >>> folder.cleanup()
     """
     folder = Path(out) if out is not None else Path("runs") / Path(scene).stem
-    words = [os.fspath(program or find_program()), "run", os.fspath(scene), *overrides(keys)]
+    told, swept = dict(_dotted(keys)), False
+    words = [os.fspath(program or find_program()), "run", os.fspath(scene)]
+    for name, value in told.items():
+        several = _several(name, value)
+        swept = swept or several is not None
+        words.append(f"{name}={_toml(value) if several is None else ','.join(several)}")
     words += ["--out", os.fspath(folder)]
     words += ["--resume"] * bool(resume) + ["--overwrite"] * bool(overwrite)
     words += ["--threads", str(threads)] if threads is not None else []
     code, said = _call(words)
-    found = Run(folder)
-    if code == 1 and found.passed is False:
+    found = Sweep(folder) if swept and code != 2 else Run(folder)
+    if code == 1 and isinstance(found, Sweep) and found.table["steps"].size == len(found):
+        for case, failure in found.failed:
+            warnings.warn(f"{case}: {failure}", stacklevel=2)
+        return found
+    if code == 1 and isinstance(found, Run) and found.passed is False:
         return found
     if code != 0:
         raise (ValueError if code == 2 else RuntimeError)(said or f"vortree ended with {code}")
     return found
 
 
-def read(folder: _Path) -> "Run":
-    """The run whose results are in a folder; it may still be going on.
+def read(folder: _Path) -> "Run | Any":
+    """The run whose results are in a folder, or the sweep; it may still be going on.
 
     Raises
     ------
     FileNotFoundError
-        If there is no report.csv.
+        If there is no report.csv, and no sweep.json.
     """
+    if (Path(folder) / "sweep.json").exists():
+        return Sweep(folder)
     if not (Path(folder) / "report.csv").exists():
         raise FileNotFoundError(f"{folder} holds no run: there is no report.csv")
     return Run(folder)
@@ -156,6 +182,56 @@ class Run:
 
     def __repr__(self) -> str:
         return f"Run({os.fspath(self.folder)!r})"
+
+
+class Sweep(Sequence[Run]):
+    """The runs of a list, in its order: all combinations of the values, those of the last key varying
+    fastest. `run` makes it, and `read`.
+
+    cases    the values of each run by key
+    failed   of those that broke off, their values and why
+    """
+
+    def __init__(self, folder: _Path) -> None:
+        self.folder = Path(folder)
+        told = json.loads((self.folder / "sweep.json").read_text(encoding="utf-8"))
+        keys = [one["key"] for one in told["lists"]]
+        choices = list(itertools.product(*(one["values"] for one in told["lists"])))
+        self.cases = [{key: _value(word) for key, word in zip(keys, words)} for words in choices]
+        names = [",".join(map("=".join, zip(keys, words))) for words in choices]
+        self._folders = [self.folder / name.translate(_IN_NAMES) for name in names]
+
+    def __len__(self) -> int:
+        return len(self.cases)
+
+    def __getitem__(self, k: Any) -> Any:
+        if isinstance(k, slice):
+            return [Run(folder) for folder in self._folders[k]]
+        return Run(self._folders[k])
+
+    @property
+    def table(self) -> dict[str, NDArray[Any]]:
+        """Columns of sweep.csv by name, one value a run: its keys, steps, particles, seconds and, of
+        all that was held against an answer, what was reached; NaN where a run has come to no end."""
+        text = (self.folder / "sweep.csv").read_text(encoding="utf-8")
+        lines = [line for line in text.splitlines() if line and not line.startswith("#")]
+        names, *rows = csv.reader(lines, quotechar="'")
+        return {name: _column(words) for name, words in zip(names, zip(*rows))}
+
+    @property
+    def passed(self) -> bool:
+        """Have all come to their ends, and missed no check?"""
+        return all(run.summary and run.passed is not False for run in self)
+
+    @property
+    def failed(self) -> list[tuple[dict[str, Any], str]]:
+        """Values and why, of the runs that broke off."""
+        notes = [(case, folder / "failed.txt") for case, folder in zip(self.cases, self._folders)]
+        return [(case, note.read_text(encoding="utf-8", errors="replace").strip())
+                for case, note in notes if note.exists()]
+
+    def __repr__(self) -> str:
+        return f"Sweep({os.fspath(self.folder)!r}): {len(self)} runs"
 
 
 class Columns:
@@ -273,12 +349,67 @@ def find_program() -> Path:
     return Path(found)
 
 
-def overrides(keys: dict[str, Any], prefix: str = "") -> Iterator[str]:
+# Keys whose value is a list of numbers; a test holds them against the program's.
+_LISTS = {"body.centre", "body.motion.about", "body.points", "check.lift_phases_deg",
+          "check.lift_rms_each", "check.mean_drag_each", "check.mean_lift_each", "flow.stream",
+          "initial.centre", "merging.box", "motion.about", "output.fields", "output.window",
+          "plunge.direction", "sph.box"}
+# What the program writes in place of these in the name of a folder.
+_IN_NAMES = str.maketrans('/ "', "___")
+
+
+def _dotted(keys: dict[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
     for name, value in keys.items():
         if isinstance(value, dict):
-            yield from overrides(value, f"{prefix}{name}.")
+            yield from _dotted(value, f"{prefix}{name}.")
         else:
-            yield f"{prefix}{name}={_toml(value)}"
+            yield f"{prefix}{name}", value
+
+
+def _several(name: str, value: Any) -> list[str] | None:
+    """The values that a key takes one after the other; None if it is one value.
+
+    >>> _several("accuracy", np.array([0.02, 0.01])), _several("method", ["vortex", "sph"])
+    (['0.02', '0.01'], ['vortex', 'sph'])
+    >>> _several("flow.stream", [1.0, 0.0]), _several("flow.stream", [[1, 0], [0, 1]])
+    (None, ['[1, 0]', '[0, 1]'])
+    """
+    value = value.tolist() if isinstance(value, np.ndarray) else value
+    if not isinstance(value, (list, tuple)) or any(isinstance(one, dict) for one in value):
+        return None
+    lists = re.sub(r"\[\d+\]", "", name) in _LISTS
+    if lists and not any(isinstance(one, (list, tuple)) for one in value):
+        return None
+    if len(value) < 2:
+        raise ValueError(f"{name}: a list of {len(value)} makes no sweep; give the value itself")
+    return [_word(one) for one in value]
+
+
+def _word(value: Any) -> str:
+    """As on a command line, where a word needs no quotes, and folders are named by it."""
+    plain = isinstance(value, str) and re.fullmatch(r"[A-Za-z][\w-]*", value)
+    return str(value) if plain and value not in ("true", "false", "inf", "nan") else _toml(value)
+
+
+def _value(word: str) -> Any:
+    """What a word of a command line is: a value of TOML, or itself."""
+    import tomllib
+
+    try:
+        return tomllib.loads(f"value = {word}")["value"]
+    except tomllib.TOMLDecodeError:
+        return word
+
+
+def _column(words: Sequence[str]) -> NDArray[Any]:
+    try:
+        return np.array([float(word or "nan") for word in words])
+    except ValueError:
+        return np.array(words)
+
+
+def overrides(keys: dict[str, Any]) -> list[str]:
+    return [f"{name}={_toml(value)}" for name, value in _dotted(keys)]
 
 
 def _toml(value: Any) -> str:

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "body/extent.hpp"
-#include "body/outlines/shape_group.hpp"
 #include "body/shapes/circle.hpp"
 #include "body/shapes/shapes.hpp"
 #include "sph/adapt/wanted_spacing.hpp"
@@ -59,12 +58,8 @@ BodyLengths lengths_of(const flow::Case& of) {
 }
 
 double gap_of(const flow::Case& of) {
-  std::vector<body::PlacedShape> placed;
-  for (const body::Body& one : flow::bodies_of(of)) placed.emplace_back(one.shape, one.centre);
   double least = INFINITY;
-  for (std::size_t k = 1; k < placed.size(); ++k)
-    for (std::size_t before = 0; before < k; ++before)
-      least = std::min(least, body::gap_between(placed[before], placed[k]));
+  for (const body::NearestApproach& one : of.meetings) least = std::min(least, one.gap);
   return least;
 }
 

@@ -5,6 +5,7 @@
 
 #include "vortex/adapt/tuning.hpp"
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/tuning.hpp"
 
 namespace vortree::vortex {
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "tree/base/numbers_where.hpp"
 #include "vortex/adapt/bins.hpp"
 #include "vortex/adapt/merge_kernel.hpp"
 #include "vortex/adapt/merge_windows.hpp"
@@ -258,25 +259,32 @@ void merge_all(AdaptedBlobs& adapted, const Merging& merging) {
   merge_remainder(adapted, merging);
 }
 
+Unwritten<AdaptedBlob> named(std::span<const AdaptedBlob> all,
+                             std::span<const std::uint32_t> numbers) {
+  Unwritten<AdaptedBlob> some(numbers.size());
+  const std::ptrdiff_t n = std::ssize(numbers);
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) some[k] = all[numbers[k]];
+  return some;
+}
+
 /// Takes out and returns those on a lattice that may merge with none as strong a core away.
-std::vector<AdaptedBlob> take_strong(Unwritten<AdaptedBlob>& all, double tolerance) {
-  std::vector<AdaptedBlob> strong;
-  std::size_t left = 0;
-  for (const AdaptedBlob& p : all)
-    if (p.leniency < p.widening &&
-        std::abs(p.gamma) / 2 > tolerance * p.leniency * std::sqrt(p.square))
-      strong.push_back(p);
-    else
-      all[left++] = p;
-  all.resize(left);
-  return strong;
+Unwritten<AdaptedBlob> take_strong(Unwritten<AdaptedBlob>& all, double tolerance) {
+  const auto strong = [&](std::uint32_t i) {
+    const AdaptedBlob& p = all[i];
+    return p.leniency < p.widening &&
+           std::abs(p.gamma) / 2 > tolerance * p.leniency * std::sqrt(p.square);
+  };
+  Unwritten<AdaptedBlob> taken = named(all, tree::numbers_where(all.size(), strong));
+  all = named(all, tree::numbers_where(all.size(), [&](std::uint32_t i) { return !strong(i); }));
+  return taken;
 }
 
 }  // namespace
 
 void merge_close(AdaptedBlobs& adapted, const Merging& merging) {
   if (merging.tolerance <= 0 || adapted.all.size() < 2) return;
-  const std::vector<AdaptedBlob> strong = take_strong(adapted.all, merging.tolerance);
+  const Unwritten<AdaptedBlob> strong = take_strong(adapted.all, merging.tolerance);
   if (!adapted.all.empty()) merge_all(adapted, merging);
   adapted.all.insert(adapted.all.end(), strong.begin(), strong.end());
 }

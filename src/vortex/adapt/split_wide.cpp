@@ -11,6 +11,7 @@
 #include "vortex/adapt/lattice/laying.hpp"
 #include "vortex/adapt/tuning.hpp"
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -240,7 +241,7 @@ struct Places {
     // A child of those beyond is no nearer than it reaches.
     const double support_of_split =
         std::max(folded::support, folded::support * alpha + 1.5 * std::sqrt(1 - alpha * alpha));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, blobs_a_turn)
     for (std::ptrdiff_t i = 0; i < n; ++i) {
       const double s = vortex::widest(blobs.core(i));
       const double seen = std::max(support_of_split * s, laying.seen_from(s));

@@ -82,7 +82,7 @@ inline constexpr std::size_t few_to_sort = 24;
 // What a thread takes at a time: less begins more often, more is shared less evenly.
 
 inline constexpr std::size_t seekers_a_turn = 256;
-inline constexpr int blobs_a_turn = 512, tiles_a_turn = 16, moved_tiles_a_turn = 256;
+inline constexpr int wall_blobs_a_turn = 32, tiles_a_turn = 16, moved_tiles_a_turn = 256;
 /// Up to so many threads are put to better use by a sign each than by what is parallel within one.
 inline constexpr int threads_by_sign = 4;
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/vec2.hpp"
@@ -56,6 +59,22 @@ struct Blobs {
   void append(Vec2 at, double circulation, double core) {
     append(at, circulation, Core{core * core});
     sigma.back() = core;
+  }
+  /// Takes these away; the others keep their order.
+  ///
+  /// numbers  ascending
+  void erase(std::span<const std::uint32_t> numbers) {
+    if (numbers.empty()) return;
+    for (auto* column : {&x, &y, &gamma, &sigma, &xx, &xy}) {
+      std::size_t left = numbers.front();
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const std::size_t next = k + 1 < numbers.size() ? numbers[k + 1] : column->size();
+        left = std::copy(column->begin() + numbers[k] + 1, column->begin() + next,
+                         column->begin() + left) -
+               column->begin();
+      }
+      column->resize(left);
+    }
   }
   friend bool operator==(const Blobs&, const Blobs&) = default;
 };

@@ -2,22 +2,18 @@
 
 #include <cmath>
 
+#include "tree/base/numbers_where.hpp"
+
 namespace vortree::vortex {
 
 namespace {
 
-/// Takes away all blobs but those that `stays(i)` names, and hands them out.
-Blobs take_but(Blobs& blobs, auto stays) {
+/// Takes away the blobs that `goes(i)` names, and hands them out.
+Blobs take_those(Blobs& blobs, auto goes) {
+  const std::vector<std::uint32_t> numbers = tree::numbers_where(blobs.size(), goes);
   Blobs gone;
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < blobs.size(); ++i) {
-    const Vec2 at = blobs.centre(i);
-    if (stays(i))
-      blobs.put(left++, at, blobs.gamma[i], blobs.core(i));
-    else
-      gone.append(at, blobs.gamma[i], blobs.core(i));
-  }
-  blobs.resize(left);
+  for (const std::uint32_t i : numbers) gone.append(blobs.centre(i), blobs.gamma[i], blobs.core(i));
+  blobs.erase(numbers);
   return gone;
 }
 
@@ -31,12 +27,12 @@ Outflow account_of(const Blobs& blobs) {
 }
 
 Blobs take_outside(Blobs& blobs, const Box& box) {
-  return take_but(blobs, [&](std::size_t i) { return box.holds(blobs.centre(i)); });
+  return take_those(blobs, [&](std::size_t i) { return !box.holds(blobs.centre(i)); });
 }
 
 Outflow remove_faint(Blobs& blobs, double faintest) {
   return account_of(
-      take_but(blobs, [&](std::size_t i) { return std::abs(blobs.gamma[i]) > faintest; }));
+      take_those(blobs, [&](std::size_t i) { return !(std::abs(blobs.gamma[i]) > faintest); }));
 }
 
 }  // namespace vortree::vortex

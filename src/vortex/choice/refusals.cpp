@@ -125,8 +125,9 @@ void refuse_senseless(const VortexCase& scene) {
   for (std::size_t k = 0; k < bodies.size(); ++k)
     hold_tips(bodies[k], flow::key_of_body(scene, k, "panels"));
   if (!scene.merging.box) return;
+  const body::Bodies placed = flow::bodies_of(scene);
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    hold_box(*scene.merging.box, flow::place_of_body(scene, k),
+    hold_box(*scene.merging.box, body::place_of(placed[k], scene.time.end),
              bodies.size() == 1 ? "the body" : fmt::format("body[{}], wherever it goes", k));
   if (scene.initial) {
     const auto [x, y] = flow::half_extent(*scene.initial);

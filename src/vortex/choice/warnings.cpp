@@ -99,7 +99,7 @@ void doubt_panels(Warnings& list, const body::BodySettings& body, const std::str
 void doubt_gaps(Warnings& list, const VortexCase& scene) {
   constexpr double cores_between = 6;
   const double widest = scene.cores.sigma_max;
-  for (const flow::NearestApproach& one : flow::meetings(scene))
+  for (const body::NearestApproach& one : scene.meetings)
     if (one.gap < cores_between * widest)
       list.push_back(fmt::format(
           "body[{}] and body[{}] are {:.3g} apart{}, {:.2g} of cores.sigma_max = {:.3g}: what lies "

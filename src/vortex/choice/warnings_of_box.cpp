@@ -38,9 +38,9 @@ flow::Warnings warnings_of_box(const VortexCase& scene) {
   std::array<double, 4> right = box;
   for (int side = 0; side < 4; ++side) {
     const double out = side < 2 ? -1 : 1;
-    for (std::size_t k = 0; k < flow::every_body(scene).size(); ++k) {
+    for (const body::Body& one : flow::bodies_of(scene)) {
       const double edge =
-          flow::place_of_body(scene, k)[side] + out * far_enough(scene, normals[side]);
+          body::place_of(one, scene.time.end)[side] + out * far_enough(scene, normals[side]);
       if (out * right[side] < out * edge) right[side] = edge;
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/tuning.hpp"
 
 namespace vortree::vortex {
 
@@ -72,7 +73,7 @@ FoldedBlobs fold(const Blobs& blobs, const body::Shape* wall, const WallPoints& 
   result.xy.resize(blobs.size());
   result.wall = WallPoints(blobs.size());
   const std::ptrdiff_t n = std::ssize(blobs.x);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Vec2 centre = blobs.centre(i);
     const Core core = blobs.core(i);

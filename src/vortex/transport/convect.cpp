@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -16,7 +17,7 @@ FoldedBlobs gone(const FoldedBlobs& from, const Velocities& u, const body::Shape
   FoldedBlobs at = from;
   at.wall = WallPoints(wall ? from.x.size() : 0);
   const std::ptrdiff_t n = std::ssize(from.x);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     Vec2 to = from.at(i) + dt * Vec2{u.u[i], u.v[i]};
     const double s = from.sigma[i];
@@ -34,7 +35,7 @@ FoldedBlobs gone(const FoldedBlobs& from, const Velocities& u, const body::Shape
 /// Blobs, each put where move(i) says.
 void move_each(Blobs& blobs, auto move) {
   const std::ptrdiff_t n = std::ssize(blobs.x);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Placed blob = move(i);
     blobs.put(i, blob.centre, blobs.gamma[i], blob.core);

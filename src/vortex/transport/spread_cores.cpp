@@ -4,6 +4,7 @@
 
 #include "vortex/cores/folded_centroid.hpp"
 #include "vortex/cores/folded_core.hpp"
+#include "vortex/tuning.hpp"
 
 namespace vortree::vortex {
 namespace {
@@ -33,7 +34,7 @@ WallPoints spread_cores(Blobs& blobs, double nu, double dt, const body::Shape* w
                         const WallPoints& found) {
   WallPoints nearest(wall ? blobs.size() : 0);
   const std::ptrdiff_t n = std::ssize(blobs.x);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(dynamic, blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const Core core = blobs.core(i);
     Core wider{core.square + 4 * nu * dt, core.deviator};

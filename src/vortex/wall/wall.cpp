@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
 #include "base/ordered_sum.hpp"
 #include "body/outlines/shape_group.hpp"
 #include "fmm/plan.hpp"
+#include "tree/base/numbers_where.hpp"
 #include "vortex/wall/disc_multipole.hpp"
 #include "vortex/wall/panel_kernel.hpp"
 #include "vortex/wall/tuning.hpp"
@@ -84,12 +86,6 @@ void Wall::add_body(const WallBody& body, double arc) {
 std::size_t Wall::ring_of(std::size_t panel) const {
   std::size_t k = 0;
   while (panel >= rings_[k].end()) ++k;
-  return k;
-}
-
-std::size_t Wall::ring_at(double arc) const {
-  std::size_t k = rings_.size() - 1;
-  while (k > 0 && arc < rings_[k].arc) --k;
   return k;
 }
 
@@ -217,16 +213,13 @@ void Wall::add_velocity_of_points(const Ring& ring, std::span<const double> shee
   std::vector<double> circulation(sheet.begin() + ring.first, sheet.begin() + ring.end());
   for (double& g : circulation) g *= ring.length;
   const Disc disc(middles);
-  std::vector<std::uint32_t> far, near;
-  std::vector<double> x, y;
-  for (std::uint32_t t = 0; t < targets.size(); ++t) {
-    if (disc.serves({targets.x[t], targets.y[t]})) {
-      far.push_back(t);
-    } else {
-      near.push_back(t);
-      x.push_back(targets.x[t]);
-      y.push_back(targets.y[t]);
-    }
+  const auto served = [&](std::uint32_t t) { return disc.serves({targets.x[t], targets.y[t]}); };
+  const std::vector<std::uint32_t> far = tree::numbers_where(targets.size(), served),
+                                   near = tree::numbers_where(targets.size(), std::not_fn(served));
+  std::vector<double> x(near.size()), y(near.size());
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    x[k] = targets.x[near[k]];
+    y[k] = targets.y[near[k]];
   }
   if (!far.empty()) DiscMultipole(disc, middles, circulation).add_velocity(targets, far, u);
   Velocities upon_near(near.size());

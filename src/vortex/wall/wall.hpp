@@ -71,7 +71,7 @@ class Wall {
   std::span<const Ring> rings() const { return rings_; }
   /// The number of the ring that has this panel, or this arc.
   std::size_t ring_of(std::size_t panel) const;
-  std::size_t ring_at(double arc) const;
+  std::size_t ring_at(double arc) const { return shape_->curve_at(arc); }
 
   std::size_t panels() const { return middle_.size(); }
   double panel_length(std::size_t i) const { return rings_[ring_of(i)].length; }

@@ -77,9 +77,7 @@ void python(const std::string& script, const TemporaryFolder& in, std::string& t
 }  // namespace
 
 TEST_CASE("the exponents of a vortex by its pictures are those that its shear makes") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml --out r", folder).code == 0);
   const auto done = call("lyapunov r --from 0.8 0 --to 0 0.8", folder);
   CAPTURE(done.out, done.err);
@@ -102,9 +100,7 @@ TEST_CASE("the exponents of a vortex by its pictures are those that its shear ma
 }
 
 TEST_CASE("exponents are the same bits by one thread and two, and nothing of a body is known") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("plunging.toml", plunging);
+  const SceneFolder folder("plunging.toml", plunging);
   const std::string method = GENERATE("vortex", "sph");
   REQUIRE(call("run plunging.toml --out r method=" + method, folder).code == 0);
   for (const char* threads : {"1", "2"}) {
@@ -134,9 +130,7 @@ print(known[r < 0.5].sum(), known[(r > 0.51) & (r < 0.7)].mean(), known.mean())
 }
 
 TEST_CASE("a folder, or times, of which nothing can be told are refused in one line") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   fs::create_directory(folder / "empty");
   REQUIRE(call("run vortex.toml --out r", folder).code == 0);
   REQUIRE(call("run vortex.toml --out blind 'output={fields_every=4}'", folder).code == 0);
@@ -195,9 +189,7 @@ TEST_CASE("where nothing is known a warning says so, and no figure of other expo
 }
 
 TEST_CASE("pictures too far apart in time are warned of") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   // Two vortices turn about each other by half a turn in 1.1, and pass a place as fast as that.
   REQUIRE(call("run vortex.toml --out r initial.kind=corotating_pair initial.core=0.12 "
                "initial.separation=0.5 time.end=4 output.frames=4 output.fields_every=0.8",
@@ -224,9 +216,7 @@ TEST_CASE("exponents of a body that plunges are drawn: backward, forward, and wi
 }
 
 TEST_CASE("a run that replaces another takes its exponents away") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml --out r", folder).code == 0);
   REQUIRE(call("lyapunov r --from 0.4 --to 0", folder).code == 0);
   CHECK(fs::exists(folder / "r/lyapunov.xdmf"));

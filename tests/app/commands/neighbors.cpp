@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
@@ -116,6 +119,66 @@ TEST_CASE("wrong particle files and options are refused with one line") {
     CHECK(outcome.code == 2);
     CHECK(outcome.error_lines() == 1);
     CHECK(outcome.out.empty());
+    CHECK(outcome.err.find(about) != std::string::npos);
+  }
+}
+
+TEST_CASE("in a periodic box every method lists the nearest images") {
+  const TemporaryFolder folder;
+  bench::ParticleSet set = bench::make_particles("cyl:3:10");
+  for (auto* values : {&set.x, &set.y}) {
+    const double least = std::ranges::min(*values);
+    for (double& value : *values) value -= least;
+  }
+  write_particles(folder / "in.h5", {{"x", set.x}, {"y", set.y}, {"reach", set.reach}});
+  const double length = 1.001 * std::ranges::max(set.x);
+  const std::string lengths = fmt::format("{},{}", length, 1.02 * length);
+  std::set<std::string> answers;
+  for (const std::string method : {"qcg", "level-grids", "leaf-quadtree", "r-tree", "all-pairs"}) {
+    const auto outcome = call("neighbors in.h5 --out out.h5 --rule mean --periodic " + lengths +
+                                  " --repeat 2 --method " + method,
+                              folder);
+    CAPTURE(method, outcome.err);
+    REQUIRE(outcome.code == 0);
+    answers.insert(ask(
+        folder, "out.h5", outcome.out,
+        "i = h5py.File('in.h5')\nx, y, r = i['x'][:], i['y'][:], i['reach'][:]\n"
+        "def apart(x, length):\n"
+        "  d = x[:, None] - x\n"
+        "  return np.minimum(abs(d), np.minimum(abs(d - length), abs(d + length)))\n"
+        "L = d['periodic']\n"
+        "near = np.hypot(apart(x, L[0]), apart(y, L[1])) < (r[:, None] + r) / 2\n"
+        "truth = [frozenset(np.flatnonzero(row).tolist()) - {k} for k, row in enumerate(near)]\n"
+        "print(rows == truth, d['pairs'] == sum(map(len, rows)), f.attrs['period_x'] == L[0], "
+        "f.attrs['period_y'] == L[1])"));
+  }
+  CHECK(answers == std::set<std::string>{"True True True True"});
+}
+
+TEST_CASE("a length of the box is that of both directions, and of 0 one does not go around") {
+  const TemporaryFolder folder;
+  write_particles(folder / "in.h5", {{"x", {0.1, 0.9}}, {"y", {0.1, 0.9}}, {"reach", {0.5, 0.5}}});
+  const auto pairs = [&](const std::string& box) {
+    const auto outcome = call("neighbors in.h5 --out o.h5 --periodic " + box, folder);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return ask(folder, "o.h5", outcome.out, "print(d['pairs'])");
+  };
+  CHECK(pairs("1") == "2");
+  CHECK(pairs("1,1") == "2");
+  CHECK(pairs("1,0") == "0");
+  CHECK(pairs("0") == "0");
+  for (const auto& [box, about] : std::vector<std::pair<std::string, std::string>>{
+           {"0.9", "in.h5: x[1] is 0.9; in the periodic box it must be in [0, 0.9)"},
+           {"1,0.5", "in.h5: y[1] is 0.9"},
+           {"-1", "-1 is no length L or LX,LY"},
+           {"1,2,3", "1,2,3 is no length"},
+           {"1,", "1, is no length"},
+           {"inf", "inf is no length"}}) {
+    const auto outcome = call("neighbors in.h5 --out o.h5 --periodic " + box, folder);
+    CAPTURE(box, outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.error_lines() == 1);
     CHECK(outcome.err.find(about) != std::string::npos);
   }
 }

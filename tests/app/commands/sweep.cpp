@@ -1,12 +1,12 @@
-#include "app/commands/sweep.hpp"
+#include "app/commands/sweep/sweep.hpp"
 
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/commands/sweep_seconds.hpp"
-#include "app/commands/sweep_table.hpp"
+#include "app/commands/sweep/seconds.hpp"
+#include "app/commands/sweep/table.hpp"
 #include "app/program.hpp"
 #include "checks/convergence.hpp"
 #include "io/input_error.hpp"
@@ -70,9 +70,7 @@ TEST_CASE("orders of a power law are its exponent, and what says nothing has non
 }
 
 TEST_CASE("a sweep runs the list into folders, and measures the order of the time step") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  const SceneFolder folder("vortex.toml", lone_vortex);
   const auto outcome = call(
       "run vortex.toml time.scheme=rk4,rk2 time.dt=0.02,0.01,0.005 velocity.method=direct", folder);
   CAPTURE(outcome.out, outcome.err);
@@ -176,9 +174,7 @@ std::string last_line(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a sweep of which a run fails or misses its check runs the others, and leaves 1") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  const SceneFolder folder("vortex.toml", lone_vortex);
   fs::create_directories(folder / "failing");
   folder.write("failing/time.dt=0.02", "where the folder of a run should be");
   const auto failing = call("run vortex.toml time.dt=0.02,0.04 --out failing", folder);
@@ -237,9 +233,7 @@ std::vector<double> numbers_behind(const std::string& begin, const std::string& 
 
 TEST_CASE(
     "methods are swept as any key: each chooses by the accuracy, and reads the others' tables") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("cylinder.toml", two_methods);
+  const SceneFolder folder("cylinder.toml", two_methods);
   const auto outcome = call("run cylinder.toml method=vortex,sph flow.reynolds=20,30", folder);
   CAPTURE(outcome.out, outcome.err);
   CHECK(outcome.code == 0);
@@ -261,9 +255,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a sweep that is stopped says where, leaves 1, and goes on from there") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  const SceneFolder folder("vortex.toml", lone_vortex);
   const auto stopped = interrupted("run vortex.toml time.end=0.08,1000 --out broken", folder,
                                    "broken/time.end=1000/report.csv", 3);
   CAPTURE(stopped.err);

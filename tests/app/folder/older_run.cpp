@@ -47,9 +47,7 @@ const std::string forget_frames = "[f.pop(n) for n in list(f) if n.startswith('f
 }  // namespace
 
 TEST_CASE("what a run has left before its first frame is replaced, and nothing else") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml time.end=0.4 --out r", folder).code == 0);
   change_frames(forget_frames, folder);
   const auto refused_for = [&](const std::string& name) {
@@ -66,9 +64,7 @@ TEST_CASE("what a run has left before its first frame is replaced, and nothing e
 }
 
 TEST_CASE("tables of a row and a picture of the start are those of a run without a frame") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml output.fields=[0] --out r", folder).code == 0);
   change_frames(forget_frames, folder);
   REQUIRE(
@@ -78,9 +74,7 @@ TEST_CASE("tables of a row and a picture of the start are those of a run without
 }
 
 TEST_CASE("a frames.h5 that no run has written, or derived files alone, are not replaced") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   fs::create_directory(folder / "r");
   REQUIRE(shell("/usr/bin/python3 -c \"import h5py; h5py.File('r/frames.h5', 'w')['mine'] = 1\"",
                 folder)
@@ -99,9 +93,7 @@ TEST_CASE("a frames.h5 that no run has written, or derived files alone, are not 
 }
 
 TEST_CASE("a run whose pictures were deleted goes on to its end, and makes those that follow") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml time.dt=0.05 time.end=0.4 --out r", folder).code == 0);
   fs::remove(folder / "r/fields.h5");
   const auto resumed = call("run vortex.toml time.dt=0.05 --resume --out r", folder);
@@ -112,9 +104,7 @@ TEST_CASE("a run whose pictures were deleted goes on to its end, and makes those
 }
 
 TEST_CASE("frames that are damaged where they tell of their run are named, not the scene") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml time.end=0.4 --out r", folder).code == 0);
   REQUIRE(
       shell("dd if=/dev/zero of=r/frames.h5 bs=1 seek=96 count=800 conv=notrunc", folder).code ==
@@ -129,9 +119,7 @@ TEST_CASE("frames that are damaged where they tell of their run are named, not t
 }
 
 TEST_CASE("a run of a time when blobs were split into rings goes on with rings, and says so") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml time.end=0.4 splitting.scheme=ring --out r", folder).code == 0);
   change_scene("\\nscheme = .ring.", "", folder);
   change_frames("del f.attrs['checksum']", folder);
@@ -145,9 +133,7 @@ TEST_CASE("a run of a time when blobs were split into rings goes on with rings, 
 }
 
 TEST_CASE("a step that is not that of the frames' times is refused, with or without a checksum") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml time.end=0.4 --out r", folder).code == 0);
   change_scene("\\ndt = [0-9.]+", "\\ndt = 0.0625", folder);
   const auto against_checksum = call("run vortex.toml --resume --out r", folder);

@@ -21,9 +21,7 @@ TEST_CASE("run and check refuse what the machine does not hold, and write nothin
 }
 
 TEST_CASE("a vortex whose blobs multiply ends within a few steps, with its last good frame") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex_by_hand);
+  const SceneFolder folder("vortex.toml", vortex_by_hand);
   const auto outcome =
       call("run vortex.toml splitting.scheme=ring flow.nu=1 initial.faintest=1e-3", folder);
   CAPTURE(outcome.err);

@@ -64,9 +64,7 @@ TEST_CASE("children nearly too wide to merge at a body's start are named, others
 }
 
 TEST_CASE("a start whose sheet splits four or five times before it merges goes on") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("cylinder.toml", cylinder);
+  const SceneFolder folder("cylinder.toml", cylinder);
   for (const char* setting : {"splitting.alpha=0.75", "body.panels=90"}) {
     const auto outcome = call(
         "run cylinder.toml accuracy=0.01 flow.reynolds=550 time.dt=0.02 "
@@ -181,9 +179,7 @@ end = 1.0
 
 TEST_CASE(
     "a hard run is warned of before it starts, and stays finite or leaves its last good frame") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("cylinder.toml", cylinder);
+  const SceneFolder folder("cylinder.toml", cylinder);
   const std::string hard = GENERATE(values<std::string>(
       {"time.dt=0.5 output.frames=0.5", "cores.sigma_max=0.45", "body.panels=12", "time.dt=1e-1"}));
   const auto outcome = call("run cylinder.toml " + hard, folder);
@@ -205,9 +201,7 @@ TEST_CASE(
 }
 
 TEST_CASE("blobs that multiply end the run before they fill the machine") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("cylinder.toml", cylinder);
+  const SceneFolder folder("cylinder.toml", cylinder);
   const auto outcome = call(
       "run cylinder.toml splitting.scheme=ring time.dt=0.1 cores.sigma_max=0.03 "
       "cores.sigma_0=0.02 time.end=3",
@@ -222,9 +216,7 @@ TEST_CASE("blobs that multiply end the run before they fill the machine") {
 }
 
 TEST_CASE("a run that breaks keeps the state before the step that broke it") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("cylinder.toml", cylinder);
+  const SceneFolder folder("cylinder.toml", cylinder);
   // A vortex of a thousand U D beside the body has more vorticity than any such flow.
   const auto outcome = call(
       "run cylinder.toml initial.kind=lamb_oseen initial.circulation=1000 initial.core=0.3 "
@@ -237,9 +229,7 @@ TEST_CASE("a run that breaks keeps the state before the step that broke it") {
 }
 
 TEST_CASE("a vortex of which hardly anything merges runs, and is warned of") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", free_vortex);
+  const SceneFolder folder("vortex.toml", free_vortex);
   for (const char* override : {"merging.tolerance=2e-6", "merging.cap=0.33", "merging.reach=0.2"}) {
     const auto outcome = call(
         std::string("run vortex.toml --overwrite splitting.scheme=ring time.end=0.4 ") + override,

@@ -7,9 +7,7 @@ using namespace vortree;
 using namespace vortree::test;
 
 TEST_CASE("pictures have a pressure, but for that of a body set off at once, and go on with it") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("circle.toml", R"(
+  const SceneFolder folder("circle.toml", R"(
 accuracy = 0.1
 [flow]
 reynolds = 100

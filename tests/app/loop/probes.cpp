@@ -63,9 +63,7 @@ std::string refused(const std::string& probe) {
 }  // namespace
 
 TEST_CASE("probes tell velocity and vorticity of the flow at their places, step by step") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml --out r", folder).code == 0);
   const io::Table table(folder / "r/probes.csv");
   const auto t = table.column("t"), probe = table.column("probe"), x = table.column("x"),
@@ -88,9 +86,7 @@ TEST_CASE("probes tell velocity and vorticity of the flow at their places, step 
 }
 
 TEST_CASE("a resumed run ends with the same probes, of rows that were lost, too") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml --out whole", folder).code == 0);
   REQUIRE(call("run vortex.toml time.end=0.25 --out parts", folder).code == 0);
   REQUIRE(shell("tail -n 3 parts/probes.csv >> parts/probes.csv", folder).code == 0);
@@ -112,9 +108,7 @@ TEST_CASE("a resumed run ends with the same probes, of rows that were lost, too"
 }
 
 TEST_CASE("probes alone are not replaced, those of a start without a frame are") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(shell("mkdir r && printf 't,probe\\n0,1\\n' > r/probes.csv", folder).code == 0);
   const Outcome outcome = call("run vortex.toml --out r", folder);
   CHECK(outcome.code == 2);
@@ -123,9 +117,7 @@ TEST_CASE("probes alone are not replaced, those of a start without a frame are")
 }
 
 TEST_CASE("a probe within a body tells nothing moves there, one upstream the stream") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("circle.toml", circle);
+  const SceneFolder folder("circle.toml", circle);
   REQUIRE(call("run circle.toml --out r", folder).code == 0);
   const io::Table table(folder / "r/probes.csv");
   const auto u = table.column("u"), v = table.column("v"), omega = table.column("omega");

@@ -44,9 +44,7 @@ print(len(rows(a)) > 5 and rows(a) == rows(b) and last_frame(a) == last_frame(b)
 }  // namespace
 
 TEST_CASE("a run leaves its files, says nothing on a standard error that is no terminal, and 0") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   const auto outcome = call("run vortex.toml flow.nu=2e-3", folder);
   CAPTURE(outcome.out, outcome.err);
   CHECK(outcome.code == 0);
@@ -58,18 +56,14 @@ TEST_CASE("a run leaves its files, says nothing on a standard error that is no t
 }
 
 TEST_CASE("a run that misses its check leaves 1") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   const auto outcome = call("run vortex.toml check.blobs_max=2 --out elsewhere", folder);
   CHECK(outcome.code == 1);
   CHECK(text_of(folder / "elsewhere/summary.json").find("\"passed\": false") != std::string::npos);
 }
 
 TEST_CASE("a run that is interrupted and resumed ends as one that never was, bit for bit") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   folder.write("same_run.py", same_run);
   const auto stopped =
       interrupted("run vortex.toml time.end=50 --out broken", folder, "broken/report.csv", 8);
@@ -89,9 +83,7 @@ TEST_CASE("a run that is interrupted and resumed ends as one that never was, bit
 }
 
 TEST_CASE("the run of a body that plunges, resumed, ends as one that never stopped, bit for bit") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("foil.toml", R"(
+  const SceneFolder folder("foil.toml", R"(
 [flow]
 nu = 0.02
 stream = [1.0, 0.0]
@@ -133,9 +125,7 @@ frames = 1e9
 }
 
 TEST_CASE("a run that is past its end is not gone on with") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   CHECK(call("run vortex.toml --out past", folder).code == 0);
   const auto outcome = call("run vortex.toml --out past --resume time.end=0.05", folder);
   CHECK(outcome.code == 2);
@@ -145,9 +135,7 @@ TEST_CASE("a run that is past its end is not gone on with") {
 }
 
 TEST_CASE("a run that cannot begin is refused with one line and 2") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   const std::string arguments = GENERATE(values<std::string>({
       "--out vortex.toml/below",
       "--out /proc/nowhere",
@@ -174,9 +162,7 @@ TEST_CASE("where no run has left a frame there is none to go on with, and the li
 }
 
 TEST_CASE("a folder for results that is a link to nothing is named, wherever the link stands") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   fs::create_symlink("no/such", folder / "lost");
   fs::create_symlink("loop", folder / "loop");
   fs::create_directory(folder / "r");
@@ -226,9 +212,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a run in the way is not replaced unasked, by a run or by a sweep") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   REQUIRE(call("run vortex.toml --out r/time.dt=0.02 time.dt=0.02", folder).code == 0);
   const std::string before = text_of(folder / "r/time.dt=0.02/report.csv");
   const std::string again = GENERATE(values<std::string>(
@@ -249,9 +233,7 @@ TEST_CASE("a run in the way is not replaced unasked, by a run or by a sweep") {
 }
 
 TEST_CASE("an output that is an input, no file or has no name is refused, and all stays") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml", vortex);
+  const SceneFolder folder("vortex.toml", vortex);
   fs::create_directory(folder / "r");
   fs::create_hard_link(folder / "vortex.toml", folder / "r/summary.json");
   fs::create_directories(folder / "s/report.csv/inside");

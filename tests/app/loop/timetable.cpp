@@ -118,11 +118,9 @@ TEST_CASE("times that are met raise no doubt; others are named with what comes i
 }
 
 TEST_CASE("what `check` prints of a chosen step runs to the same bits, and meets its end") {
-  const TemporaryFolder folder;
-  const NoFigures quick(folder);
-  folder.write("vortex.toml",
-               "accuracy = 0.1\n[flow]\nnu = 1e-3\n[initial]\nkind = \"lamb_oseen\"\n"
-               "circulation = 1\ncore = 0.2\n[time]\nend = 0.5\n");
+  const SceneFolder folder("vortex.toml",
+                           "accuracy = 0.1\n[flow]\nnu = 1e-3\n[initial]\nkind = \"lamb_oseen\"\n"
+                           "circulation = 1\ncore = 0.2\n[time]\nend = 0.5\n");
   CHECK(call("check vortex.toml > printed.toml", folder).code == 0);
   for (const char* name : {"vortex", "printed"}) {
     const auto outcome = call(std::string("run ") + name + ".toml", folder);

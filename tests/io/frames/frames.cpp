@@ -119,3 +119,21 @@ TEST_CASE("a reader that looks at the frames does not stop the run") {
   for (const int end : {to_reader[0], to_reader[1], from_reader[0], from_reader[1]}) close(end);
   CHECK(read_last_good(frames_in(box)).steps == std::vector<std::int64_t>{0, 25});
 }
+
+TEST_CASE("a file of one frame takes the place of an older one, and is read as any other") {
+  const Sandbox box;
+  write_frames(box / "state.h5", info, frame_of(25, 40));
+  write_frames(box / "state.h5", info, frame_of(50, 30));
+  const RecoveredFrames found = read_last_good(box / "state.h5");
+  CHECK(found.warning.empty());
+  CHECK(found.info == info);
+  CHECK(found.steps == std::vector<std::int64_t>{50});
+  REQUIRE(found.last);
+  CHECK(same(*found.last, frame_of(50, 30)));
+  CHECK(std::distance(std::filesystem::directory_iterator(box.path()), {}) == 1);
+  Frame uneven = frame_of(50, 10);
+  uneven.columns[3].values.pop_back();
+  CHECK_THROWS_AS(write_frames(box / "state.h5", info, uneven), std::invalid_argument);
+  CHECK_THROWS_AS(write_frames(box / "none/state.h5", info, frame_of(0, 1)), InputError);
+  CHECK(read_last_good(box / "state.h5").steps == std::vector<std::int64_t>{50});
+}

@@ -321,7 +321,7 @@ TEST_CASE("a reference file is a table with the columns that the check asks for"
   CHECK_THAT(refused_with({"check.separation_max_deg=1"}), Contains("no column sep_deg"));
   CHECK_THAT(refused_with({"check.lift_reference=known.csv"}),
              EndsWith("no column C_L; the file has T, C_D"));
-  for (const std::string key : {"drag", "lift", "wall_vorticity", "moments"})
+  for (const std::string key : {"drag", "lift", "wall_vorticity", "front_pressure", "moments"})
     CHECK(refused_with({"check." + key + "_reference=."}) ==
           "command line: check." + key + "_reference=.: check." + key + "_reference is \".\"; " +
               (box / ".").string() + " is a folder; a file was expected");
@@ -346,8 +346,9 @@ TEST_CASE("what a check asks has something that it is held against, or is refuse
   CHECK(asked(body, "strouhal_max") ==
         "command line: check.strouhal_max=0.01: check.strouhal_max is 0.01; that needs [body] and "
         "check.strouhal");
-  for (const char* key : {"wall_vorticity_max", "wall_vorticity_rms", "mean_drag_max",
-                          "mean_lift_max", "morison_drag_max", "theodorsen_max", "energy_max"})
+  for (const char* key :
+       {"wall_vorticity_max", "wall_vorticity_rms", "front_pressure_max", "mean_drag_max",
+        "mean_lift_max", "morison_drag_max", "theodorsen_max", "energy_max"})
     CHECK_THAT(asked(body, key), StartsWith("command line: check." + std::string(key)));
   for (const char* key :
        {"lift_max", "routes_max", "lift_routes_max", "vorticity_max", "velocity_max",

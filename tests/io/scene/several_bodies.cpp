@@ -125,3 +125,12 @@ TEST_CASE("where bodies come near on their way cores are doubted") {
   CHECK_THAT(doubts("[0.8, 0]"), Contains("are 0.05 apart at t = 2, "));
   CHECK_THAT(doubts("[3, 0]"), !Contains("apart"));
 }
+
+TEST_CASE("a course that begins at rest starts slowly, whatever round-off makes of its velocity") {
+  const std::string rest = at_rest(two);
+  CHECK_FALSE(flow::scales_of(parse(rest, {"motion.x=\"t - sin(pi*t)/pi\""})).impulsive);
+  CHECK_FALSE(flow::scales_of(parse(rest, {"body[1].motion.angle=\"40*t^2\""})).impulsive);
+  CHECK(flow::scales_of(parse(rest, {"motion.x=\"0.01*t + t^2\""})).impulsive);
+  CHECK(flow::scales_of(parse(rest, {"body[1].motion.angle=\"t\""})).impulsive);
+  CHECK(flow::scales_of(parse(two, {"motion.x=\"t^2\""})).impulsive);
+}

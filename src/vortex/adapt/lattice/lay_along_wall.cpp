@@ -53,7 +53,6 @@ namespace {
 /// The stretch of a wall that is one closed curve.
 struct WallCurve {
   double arc, perimeter;
-  bool holds(double at) const { return at >= arc && at < arc + perimeter; }
 };
 
 /// The nodes that there may be along one of its curves.
@@ -218,7 +217,7 @@ void lay_along_curve(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
   }
   WallNodes nodes(lattice, wall, curve, rows, strength);
   const std::ptrdiff_t n = std::ssize(blobs);
-#pragma omp parallel for schedule(dynamic, blobs_a_turn)
+#pragma omp parallel for schedule(dynamic, wall_blobs_a_turn)
   for (std::ptrdiff_t i = 0; i < n; ++i) nodes.lay(blobs[i]);
   nodes.append_to(adapted);
 }
@@ -232,13 +231,13 @@ void lay_along_wall(AdaptedBlobs& adapted, std::span<const WideAtWall> blobs,
     return lay_along_curve(adapted, blobs, lattice, wall, {0, perimeters[0]});
   std::vector<WideAtWall> own;
   double arc = 0;
-  for (const double perimeter : perimeters) {
-    const WallCurve curve{arc, perimeter};
+  for (std::size_t k = 0; k < perimeters.size(); ++k) {
     own.clear();
-    std::ranges::copy_if(blobs, std::back_inserter(own),
-                         [&](const WideAtWall& blob) { return curve.holds(blob.nearest.arc); });
-    lay_along_curve(adapted, own, lattice, wall, curve);
-    arc += perimeter;
+    std::ranges::copy_if(blobs, std::back_inserter(own), [&](const WideAtWall& blob) {
+      return wall.curve_at(blob.nearest.arc) == k;
+    });
+    lay_along_curve(adapted, own, lattice, wall, {arc, perimeters[k]});
+    arc += perimeters[k];
   }
 }
 

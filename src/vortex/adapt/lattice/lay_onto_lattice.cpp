@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "tree/base/numbers_where.hpp"
 #include "tree/order/radix_sort.hpp"
 #include "vortex/adapt/lattice/spline_nodes.hpp"
 #include "vortex/adapt/lattice/units.hpp"
@@ -83,6 +84,28 @@ class AllLevels {
   std::vector<LatticeLevel> all_;
 };
 
+/// Rows and columns of the tiles that a blob reaches.
+struct TilesOfBlob {
+  int level;
+  std::int64_t row, rows, column, columns;
+
+  /// reach  in nodes from the nearest
+  TilesOfBlob(const WideBlob& blob, const AllLevels& levels, int reach) : level(blob.level) {
+    const double h = levels[level].h;
+    const auto x = static_cast<std::int64_t>(std::nearbyint(blob.at.x / h)),
+               y = static_cast<std::int64_t>(std::nearbyint(blob.at.y / h));
+    row = tile_of(y - reach);
+    rows = tile_of(y + reach) - row + 1;
+    column = tile_of(x - reach);
+    columns = tile_of(x + reach) - column + 1;
+  }
+  std::size_t count() const { return static_cast<std::size_t>(rows * columns); }
+  void for_each(const auto& use) const {
+    for (std::int64_t k = 0; k < rows * columns; ++k)
+      use(numbered(level, row + k / columns, column + k % columns));
+  }
+};
+
 /// The blobs that reach into each tile, one tile after the other.
 struct ReachedTiles {
   Unwritten<Tile> tile;
@@ -91,22 +114,25 @@ struct ReachedTiles {
 
   /// reach  of a blob, in nodes from the nearest
   ReachedTiles(std::span<const WideBlob> blobs, const AllLevels& levels, int reach) {
-    for (std::uint32_t i = 0; i < blobs.size(); ++i)
-      put(i, blobs[i], levels[blobs[i].level].h, reach);
+    const std::size_t pieces = tree::pieces_of(blobs.size());
+    const auto of = [&](std::uint32_t i) { return TilesOfBlob(blobs[i], levels, reach); };
+    const auto begins = tree::begins_of_pieces(blobs.size(), pieces,
+                                               [&](std::uint32_t i) { return of(i).count(); });
+    tile.resize(begins[pieces]);
+    blob.resize(begins[pieces]);
+    tree::for_each_piece(pieces, [&](std::size_t p) {
+      const tree::Range own = tree::piece(blobs.size(), p, pieces);
+      std::size_t next = begins[p];
+      for (std::uint32_t i = own.first; i < own.last; ++i)
+        of(i).for_each([&](Tile reached) {
+          tile[next] = reached;
+          blob[next++] = i;
+        });
+    });
     tree::radix_sort(tile, blob);
     for (std::size_t k = 0; k < tile.size(); ++k)
       if (k == 0 || tile[k] != tile[k - 1]) first.push_back(k);
     first.push_back(tile.size());
-  }
-
-  void put(std::uint32_t i, const WideBlob& b, double h, int reach) {
-    const auto gx = static_cast<std::int64_t>(std::nearbyint(b.at.x / h)),
-               gy = static_cast<std::int64_t>(std::nearbyint(b.at.y / h));
-    for (std::int64_t row = tile_of(gy - reach); row <= tile_of(gy + reach); ++row)
-      for (std::int64_t column = tile_of(gx - reach); column <= tile_of(gx + reach); ++column) {
-        tile.push_back(numbered(b.level, row, column));
-        blob.push_back(i);
-      }
   }
 };
 
@@ -155,11 +181,12 @@ std::vector<LatticeNode> lay_onto_lattice(std::span<const WideBlob> blobs, doubl
   const CirculationUnits units(strength(blobs));
   const ReachedTiles tiled(blobs, levels, shares == Shares::nine ? 1 : SplineNodes::reach);
   const std::size_t tiles = tiled.first.size() - 1;
-  std::vector<Sums> sums(tiles);
+  Unwritten<Sums> sums(tiles);
   std::vector<std::size_t> begin(tiles + 1);
-#pragma omp parallel for schedule(dynamic, tiles_a_turn)
+#pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t t = 0; t < tiles; ++t) {
     const Tile tile = tiled.tile[tiled.first[t]];
+    sums[t].fill(0);
     for (std::size_t k = tiled.first[t]; k < tiled.first[t + 1]; ++k) {
       const WideBlob& b = blobs[tiled.blob[k]];
       const std::int64_t gamma = units.of(b.gamma);

@@ -1,8 +1,7 @@
-#include "app/commands/sweep_seconds.hpp"
+#include "app/commands/sweep/seconds.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -42,8 +41,8 @@ std::string words(const std::optional<CostOfError>& cost) {
 }
 
 double seconds_of(const Member& m) {
-  if (!m.failure.empty()) return NAN;
-  return omp_get_max_threads() == 1 ? m.result.processor_seconds : m.result.seconds;
+  if (!m.ended()) return NAN;
+  return m.result.threads == 1 ? m.result.processor_seconds : m.result.seconds;
 }
 
 double error_of(const Member& m, const std::string& what) {

@@ -1,4 +1,4 @@
-#include "checks/wall_vorticity.hpp"
+#include "checks/at_wall.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +76,57 @@ void check_wall_vorticity(std::vector<Verdict>& list, const Finished& run) {
     double sum = 0;
     for (double d : off) sum += d * d;
     return reached(std::sqrt(sum / static_cast<double>(off.size())));
+  });
+}
+
+namespace {
+
+/// The value at 180 degrees of the even parabola a + b x^2 that fits best within 10 degrees of it;
+/// of 1 - 4 sin^2 x that is 1e-4 too much.
+std::optional<double> at_front(const Series& angles, const Series& values) {
+  double n = 0, x2 = 0, x4 = 0, y = 0, x2y = 0;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    if (const double x = 180 - std::abs(angles[i]); x <= 10) {
+      n += 1, x2 += x * x, x4 += x * x * x * x;
+      y += values[i], x2y += x * x * values[i];
+    }
+  const double determinant = n * x4 - x2 * x2;
+  if (!(determinant > 1e-9 * n * x4)) return std::nullopt;
+  return (y * x4 - x2y * x2) / determinant;
+}
+
+/// How far C_p at the front is off the reference, at each time that both have.
+Series front_deviations(const io::Scene& scene, const io::Table& wall) {
+  const io::Table reference(io::reference_path(scene, *scene.check.front_pressure_reference));
+  const Series rT = reference.column("T"), rValue = reference.column("cp_front");
+  const Series T = wall.column("T"), angle = wall.column("angle_deg"), cp = wall.column("cp");
+  Series deviations;
+  for (std::size_t i = 0; i < T.size();) {
+    const double time = T[i];
+    Series angles, values;
+    for (; i < T.size() && T[i] == time; ++i) {
+      angles.push_back(angle[i]);
+      values.push_back(cp[i]);
+    }
+    const auto ours = at_front(angles, values), known = interpolated(rT, rValue, time);
+    if (ours && known && time >= scene.check.front_pressure_from.value_or(0))
+      deviations.push_back(std::abs(*ours - *known));
+  }
+  return deviations;
+}
+
+}  // namespace
+
+void check_front_pressure(std::vector<Verdict>& list, const Finished& run) {
+  const io::CheckSettings& c = run.scene.check;
+  if (!run.scales.body || !c.front_pressure_reference) return;
+  add(list, "front_pressure_max", c.front_pressure_max, [&]() -> Reached {
+    if (io::lacks_reference(run.scene, *c.front_pressure_reference)) return without_reference();
+    const io::Table wall(run.folder / "wall.csv");
+    if (!wall.has("cp")) return {.value = {}, .why = "this method tells no cp along the wall"};
+    const Series off = front_deviations(run.scene, wall);
+    if (!off.empty()) return {largest_of(off)};
+    return run.rows.too_short();
   });
 }
 

@@ -1,10 +1,10 @@
-#include "app/commands/sweep_table.hpp"
+#include "app/commands/sweep/table.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <omp.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -69,15 +69,20 @@ std::string text(double number, const char* digits) {
 
 using RowCells = std::vector<std::string>;
 
+const char* word_of(Lack lack) {
+  if (lack == Lack::missing) return "missing";
+  return lack == Lack::failed ? "failed" : "unfinished";
+}
+
 RowCells row_of(const Member& m, std::span<const std::string> errors,
                 std::span<const std::vector<double>> order, std::size_t i) {
   RowCells row = m.values;
   const RunResult& r = m.result;
-  if (m.failure.empty())
+  if (m.ended())
     row.insert(row.end(), {fmt::format("{}", r.steps), fmt::format("{}", r.most_particles),
                            fmt::format("{:.3g}", r.seconds)});
   else
-    row.insert(row.end(), {"failed", "", ""});
+    row.insert(row.end(), {word_of(m.lack), "", ""});
   for (std::size_t k = 0; k < errors.size(); ++k)
     row.insert(row.end(), {text(reached(m, errors[k]), "{:.3g}"), text(order[k][i], "{:.2f}")});
   return row;
@@ -116,22 +121,40 @@ std::string missed(const Member& m) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// Of a line that every run has in words of its own.
+bool own_to_each(const std::string& line) {
+  return line.starts_with("load: ") || line.starts_with("date: ");
+}
+
+/// Whether the words of one are among those of the other, between bars.
+bool among(const std::string& line, const std::string& other) {
+  const auto words = [](const std::string& of) { return of.substr(of.find(": ") + 2); };
+  return (" | " + words(line) + " | ").find(" | " + words(other) + " | ") != std::string::npos;
+}
+
+/// Lines of the first run that ended; what differs from run to run by all its values, but for the
+/// load and the date.
+RowCells origins(std::span<const Member> members) {
+  std::vector<RowCells> of_runs;
+  for (const Member& m : members) {
+    if (!m.ended()) continue;
+    of_runs.push_back({fmt::format("threads: {}", m.result.threads)});
+    of_runs.back().insert(of_runs.back().end(), m.result.origin.begin(), m.result.origin.end());
+  }
+  if (of_runs.empty()) return provenance();
+  RowCells lines = of_runs.front();
+  for (const RowCells& other : of_runs)
+    for (std::size_t k = 0; k < std::min(lines.size(), other.size()); ++k)
+      if (!own_to_each(lines[k]) && !among(lines[k], other[k]))
+        lines[k] += " | " + other[k].substr(other[k].find(": ") + 2);
+  return lines;
+}
+
 }  // namespace
 
 bool tells_the_same_flow(const SweepPlan& plan) {
   const std::string& key = plan.axes.back().key;
   return !key.starts_with("flow.") && key != "seed";
-}
-
-std::vector<std::string> overrides_of(const SweepPlan& plan, const Member& member) {
-  std::vector<std::string> overrides;
-  for (std::size_t k = 0; k < plan.axes.size(); ++k)
-    overrides.push_back(plan.axes[k].key + "=" + member.values[k]);
-  return overrides;
-}
-
-std::string name_of(const SweepPlan& plan, const Member& member) {
-  return fmt::format("{}", fmt::join(overrides_of(plan, member), " "));
 }
 
 std::string table(const SweepPlan& plan, std::span<const Member> members) {
@@ -156,14 +179,13 @@ std::string table(const SweepPlan& plan, std::span<const Member> members) {
   return checks::text_table(headings, rows);
 }
 
-void write_csv(const std::filesystem::path& file, const RunOptions& options, const SweepPlan& plan,
+void write_csv(const std::filesystem::path& file, const std::string& scene, const SweepPlan& plan,
                std::span<const Member> members) {
   std::ostringstream out;
   const RowCells errors = errors_of(members);
-  out << fmt::format("# scene: {} {}\n", options.scene, fmt::join(plan.fixed, " "));
-  out << fmt::format("# threads: {}\n", omp_get_max_threads());
-  for (const std::string& line : provenance()) out << "# " << line << "\n";
-  const auto ran = std::ranges::find_if(members, [](const Member& m) { return m.failure.empty(); });
+  out << fmt::format("# scene: {} {}\n", scene, fmt::join(plan.fixed, " "));
+  for (const std::string& line : origins(members)) out << "# " << line << "\n";
+  const auto ran = std::ranges::find_if(members, &Member::ended);
   if (ran != members.end())
     for (const checks::Verdict& v : ran->result.verdicts)
       out << fmt::format("# asked: {} {}\n", v.what, v.asked);
@@ -173,7 +195,7 @@ void write_csv(const std::filesystem::path& file, const RunOptions& options, con
   for (const Member& m : members) {
     for (const std::string& value : m.values) out << cell(value) << ",";
     const RunResult& r = m.result;
-    if (m.failure.empty())
+    if (m.ended())
       out << fmt::format("{},{},{},{},{}", r.steps, r.most_particles, r.particle_steps, r.seconds,
                          r.processor_seconds);
     else
@@ -187,19 +209,24 @@ void write_csv(const std::filesystem::path& file, const RunOptions& options, con
 std::string what_went_wrong(const SweepPlan& plan, std::span<const Member> members) {
   constexpr std::size_t told = 3;
   RowCells words;
-  std::size_t failed = 0, wrong = 0;
+  std::array<std::size_t, 3> lacking{};
+  std::size_t wrong = 0, missing_checks = 0;
   for (const Member& m : members) {
-    const std::string why = m.failure.empty() ? missed(m) : m.failure;
+    const std::string why = m.ended() ? missed(m) : m.failure;
     if (why.empty()) continue;
-    failed += !m.failure.empty();
+    ++(m.ended() ? missing_checks : lacking[static_cast<std::size_t>(m.lack)]);
     if (++wrong <= told)
       words.push_back(fmt::format("{} {}: {}", name_of(plan, m),
-                                  m.failure.empty() ? "missed its check" : "failed", why));
+                                  m.ended() ? "missed its check" : word_of(m.lack), why));
   }
   if (wrong == 0) return "";
   if (wrong > told) words.push_back(fmt::format("and {} more", wrong - told));
-  return fmt::format("{} of {} runs failed, {} missed their checks: {}", failed, members.size(),
-                     wrong - failed, fmt::join(words, "; "));
+  const auto [failed, unfinished, missing] = lacking;
+  const std::string open = unfinished + missing == 0
+                               ? ""
+                               : fmt::format(", {} unfinished, {} missing", unfinished, missing);
+  return fmt::format("{} of {} runs failed, {} missed their checks{}: {}", failed, members.size(),
+                     missing_checks, open, fmt::join(words, "; "));
 }
 
 }  // namespace vortree::app

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "app/commands/sweep_table.hpp"
+#include "app/commands/sweep/table.hpp"
 
 namespace vortree::app {
 

@@ -5,20 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/sweep.hpp"
+#include "app/commands/sweep/plan.hpp"
 
 namespace vortree::app {
-
-/// One run of a sweep: a value for each axis, what came of it and, if it came to no end, why.
-struct Member {
-  std::vector<std::string> values;
-  RunResult result{};
-  std::string failure{};
-};
-
-/// key=value for each axis, and the same as one text.
-std::vector<std::string> overrides_of(const SweepPlan& plan, const Member& member);
-std::string name_of(const SweepPlan& plan, const Member& member);
 
 /// Whether the last values make the same flow finer: between flows that differ there is no order.
 bool tells_the_same_flow(const SweepPlan& plan);
@@ -28,12 +17,14 @@ bool tells_the_same_flow(const SweepPlan& plan);
 /// was not reached, or has no order: between flows that differ there is none.
 std::string table(const SweepPlan& plan, std::span<const Member> members);
 
-/// The same numbers with their origin, as CSV.
-void write_csv(const std::filesystem::path& file, const RunOptions& options, const SweepPlan& plan,
+/// The same numbers as CSV, with where they come from: of runs on several machines each.
+///
+/// scene  as the user named it
+void write_csv(const std::filesystem::path& file, const std::string& scene, const SweepPlan& plan,
                std::span<const Member> members);
 
-/// One line: the runs that failed or missed their checks, the first few with the reason; nothing if
-/// all went well.
+/// One line: the runs that failed, are not at their ends, have not begun or missed their checks,
+/// the first few with the reason; nothing if all went well.
 std::string what_went_wrong(const SweepPlan& plan, std::span<const Member> members);
 
 }  // namespace vortree::app
