@@ -10,6 +10,22 @@ REACH = 5.0  # of a window that no one has asked for, in half the body's length
 STRONG = 0.98  # so many blobs in the window have a vorticity with a colour of its own
 
 
+def window_of(run, units, ends):
+    """What a page shows at first: what the scene asks for, or what lies around the body, or most of
+    the blobs in free space at both ends of the run, which ends() gives as fields of x and y."""
+    asked = run.scene.get("output", {}).get("window")
+    if asked:
+        low, high = (np.subtract(asked[k:k + 2], units.centre) / units.length for k in (0, 2))
+        return (low[0], high[0], low[1], high[1])
+    if units.body:
+        return (-0.6 * REACH, REACH, -0.6 * REACH, 0.6 * REACH)
+    boxes = [(*np.quantile(f["x"], (0.01, 0.99)), *np.quantile(f["y"], (0.01, 0.99)))
+             for f in ends()]
+    low, high = np.min(boxes, axis=0)[[0, 2]], np.max(boxes, axis=0)[[1, 3]]
+    pad = 0.08 * np.max(high - low)
+    return (low[0] - pad, high[0] + pad, low[1] - pad, high[1] + pad)
+
+
 class Blobs:
     """The blobs or particles of frames.h5, as dots in the colours of their vorticity."""
 
@@ -25,17 +41,8 @@ class Blobs:
         self.window = self._window()
 
     def _window(self):
-        asked, units = self.run.scene.get("output", {}).get("window"), self.units
-        if asked:
-            low, high = (np.subtract(asked[k:k + 2], units.centre) / units.length for k in (0, 2))
-            return (low[0], high[0], low[1], high[1])
-        if units.body:
-            return (-0.6 * REACH, REACH, -0.6 * REACH, 0.6 * REACH)
-        ends = [(*np.quantile(f["x"], (0.01, 0.99)), *np.quantile(f["y"], (0.01, 0.99)))
-                for f in (self.field(0), self.field(len(self.times) - 1))]
-        low, high = np.min(ends, axis=0)[[0, 2]], np.max(ends, axis=0)[[1, 3]]
-        pad = 0.08 * np.max(high - low)
-        return (low[0] - pad, high[0] + pad, low[1] - pad, high[1] + pad)
+        return window_of(self.run, self.units,
+                         lambda: (self.field(0), self.field(len(self.times) - 1)))
 
     @property
     def label(self):

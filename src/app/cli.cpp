@@ -23,6 +23,7 @@
 #include "app/commands/plot.hpp"
 #include "app/commands/sweep/gather.hpp"
 #include "app/commands/sweep/sweep.hpp"
+#include "app/commands/view.hpp"
 #include "app/grammar.hpp"
 #include "app/install_paths.hpp"
 #include "app/loop/threads.hpp"
@@ -116,6 +117,7 @@ int carry_out(const CLI::App& program, const Words& words) {
   if (program.got_subcommand("neighbors")) tell("{}\n", neighbors(words.neighbors));
   if (program.got_subcommand("lyapunov")) tell("{}", lyapunov(words.lyapunov));
   if (program.got_subcommand("movie")) tell("{}\n", movie(words.movie));
+  if (program.got_subcommand("view")) tell("{}\n", view(words.view));
   if (program.got_subcommand("plot")) plot_folder(words.folder, words.run.figures_as);
   return arrived();
 }

@@ -382,6 +382,26 @@ void add_movie(CLI::App& program, Words& words) {
       "         vortree movie runs/wake");
 }
 
+void add_view(CLI::App& program, Words& words) {
+  auto& job = words.view;
+  auto& command = *program.add_subcommand("view", "make a page to look at a run in a browser");
+  command.add_option("DIR", job.folder, "folder of a run")->required()->check(a_name);
+  command.add_option("--out", job.out, "the page, a single file; by default DIR/view.html")
+      ->check(a_name)
+      ->type_name("FILE");
+  command.add_flag("--overwrite", job.overwrite, "replace a file that --out names");
+  auto& live = *command.add_flag(
+      "--live", job.live, "no file: serve the page on 127.0.0.1, while the run goes on, to Ctrl-C");
+  command.add_option("--port", job.port, "where to serve it; by default one that is free")
+      ->check(within(1, 65535))
+      ->type_name("N")
+      ->needs(&live);
+  live.excludes("--out")->excludes("--overwrite");
+  command.footer(
+      "example: vortree run cylinder_re550_quick --out runs/wake && vortree view runs/wake\n"
+      "the page needs no network: open runs/wake/view.html; its key ? lists the keys");
+}
+
 void add_bench(CLI::App& program, Words& words) {
   auto& command = *program.add_subcommand(
       "bench",
@@ -445,6 +465,7 @@ std::unique_ptr<CLI::App> grammar(Words& words) {
   add_neighbors(program, words);
   add_lyapunov(program, words);
   add_movie(program, words);
+  add_view(program, words);
   add_bench(program, words);
   add_plot(program, words);
   return made;

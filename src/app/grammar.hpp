@@ -10,6 +10,7 @@
 #include "app/commands/movie.hpp"
 #include "app/commands/neighbors.hpp"
 #include "app/commands/velocity.hpp"
+#include "app/commands/view.hpp"
 #include "app/loop/run.hpp"
 
 namespace vortree::app {
@@ -22,6 +23,7 @@ struct Words {
   NeighborsJob neighbors;
   LyapunovJob lyapunov;
   MovieJob movie;
+  ViewJob view;
   BenchJob bench;
   std::string benched;
   std::string scene;

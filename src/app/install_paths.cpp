@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* movie = "movie.py";
+constexpr const char *movie = "movie.py", *view = "view.py";
 
 std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
   std::vector<fs::path> files;
@@ -65,13 +65,17 @@ std::vector<fs::path> plot_scripts(std::string_view kind) {
   auto scripts = files_in(share_folder() / "plots", ".py");
   std::erase_if(scripts, [kind](const fs::path& script) {
     const std::string name = script.filename().string();
-    return name.front() == '_' || name == movie || !name.starts_with(kind);
+    return name.front() == '_' || name == movie || name == view || !name.starts_with(kind);
   });
   return scripts;
 }
 
 fs::path movie_script() {
   return share_folder() / "plots" / movie;
+}
+
+fs::path view_script() {
+  return share_folder() / "plots" / view;
 }
 
 }  // namespace vortree::app

@@ -24,10 +24,13 @@ std::vector<std::filesystem::path> scene_files();
 std::filesystem::path find_scene(const std::string& name);
 
 /// The figure scripts plots/*.py whose names begin with `kind`, sorted by name; those that begin
-/// with an underscore are parts of others, and a movie is no figure.
+/// with an underscore are parts of others, and a movie or a page is no figure.
 std::vector<std::filesystem::path> plot_scripts(std::string_view kind = {});
 
 /// The script that makes a movie.
 std::filesystem::path movie_script();
+
+/// The script that makes or serves a page.
+std::filesystem::path view_script();
 
 }  // namespace vortree::app

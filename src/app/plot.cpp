@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -83,16 +84,30 @@ struct Outcome {
   std::string errors;
 };
 
-Outcome run_python(std::vector<std::string> words, const Heard& heard = {}) {
+void set_surroundings() {
   setenv("MPLBACKEND", "Agg", 1);
   setenv("PYTHONDONTWRITEBYTECODE", "1", 1);
+}
+
+/// Python's own first.
+std::vector<char*> pointers_to(std::vector<std::string>& words) {
+  words.insert(words.begin(), python);
+  std::vector<char*> all;
+  for (std::string& word : words) all.push_back(word.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+[[noreturn]] void throw_unstarted(int error) {
+  throw std::runtime_error(fmt::format("{}: {}", python, std::strerror(error)));
+}
+
+Outcome run_python(std::vector<std::string> words, const Heard& heard = {}) {
+  set_surroundings();
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     throw std::runtime_error(fmt::format("pipe: {}", std::strerror(errno)));
-  words.insert(words.begin(), python);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  const std::vector<char*> arguments = pointers_to(words);
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -103,7 +118,7 @@ Outcome run_python(std::vector<std::string> words, const Heard& heard = {}) {
   close(ends[1]);
   if (refused) {
     close(ends[0]);
-    throw std::runtime_error(fmt::format("{}: {}", python, std::strerror(refused)));
+    throw_unstarted(refused);
   }
   Outcome outcome{0, read_all(ends[0], heard)};
   close(ends[0]);
@@ -140,6 +155,13 @@ std::string run_script(const fs::path& script, std::vector<std::string> words, c
     throw io::InputError(last_line(errors));
   if (status != 0) throw std::runtime_error(last_line(errors));
   return last_line(errors);
+}
+
+void become_script(const fs::path& script, std::vector<std::string> words) {
+  set_surroundings();
+  words.insert(words.begin(), script.string());
+  execv(python, pointers_to(words).data());
+  throw_unstarted(errno);
 }
 
 }  // namespace vortree::app

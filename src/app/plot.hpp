@@ -39,4 +39,10 @@ using Heard = std::function<void(std::string_view line)>;
 std::string run_script(const std::filesystem::path& script, std::vector<std::string> words,
                        const Heard& heard);
 
+/// The same in the place of this process, which it never returns to: what it says and how it ends
+/// are its own.
+/// throws   std::runtime_error if Python cannot be started
+[[noreturn]] void become_script(const std::filesystem::path& script,
+                                std::vector<std::string> words);
+
 }  // namespace vortree::app

@@ -140,8 +140,9 @@ void remove_older_figures(const fs::path& folder, std::string_view kind) {
 
 void remove_older_tables_and_pictures(const fs::path& folder) {
   for (const char* name : tables) io::remove_file(folder / name);
-  for (const char* name : {"probes.csv", "fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5",
-                           "lyapunov.xdmf", "movie.mp4", "movie.webp", "movie.gif", "failed.txt"})
+  for (const char* name :
+       {"probes.csv", "fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5", "lyapunov.xdmf",
+        "movie.mp4", "movie.webp", "movie.gif", "view.html", "failed.txt"})
     io::remove_file(folder / name);
   remove_older_figures(folder);
 }

@@ -31,8 +31,9 @@ void refuse_older_figures(const std::filesystem::path& folder, std::string_view 
 /// Removes the figures that scripts of this kind have drawn there, in all formats.
 void remove_older_figures(const std::filesystem::path& folder, std::string_view kind = {});
 
-/// Removes what an older run has left beside its frames and summary: tables, pictures, figures and
-/// movies, which may be those of another flow, with which the new run has nothing in common.
+/// Removes what an older run has left beside its frames and summary: tables, pictures, figures,
+/// movies and a page, which may be those of another flow, with which the new run has nothing in
+/// common.
 void remove_older_tables_and_pictures(const std::filesystem::path& folder);
 
 /// A run with a body whose outline, which figures are drawn by, is not there: an earlier build made
