@@ -187,7 +187,7 @@ TEST_CASE("potential flow past NACA 0012 has no drag; its lift is what its circu
     Vec2 force;
     for (std::size_t i = 0; i < wall.panels(); ++i) {
       const Vec2 t = wall.tangent(i), normal{t.y, -t.x};
-      force = force + (0.5 * sheet[i] * sheet[i] * wall.panel_length(0)) * normal;
+      force = force + (0.5 * sheet[i] * sheet[i] * wall.panel_length(i)) * normal;
     }
     const Vec2 lift{std::sin(incidence) * total, -std::cos(incidence) * total};
     CAPTURE(force.x, force.y, total);
