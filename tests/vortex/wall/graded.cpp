@@ -124,6 +124,33 @@ TEST_CASE("beside the tips of a thin ellipse the flow is the potential flow to f
   CHECK(fine < 0.6 * coarse);
 }
 
+TEST_CASE("a core beside a thin body is felt as three points are, on its other side, too") {
+  const Wall wall(thin(), 400);
+  for (const double x : {0.0, 0.3, 0.45, 0.49, 0.4995})
+    for (const double sigma : {0.004, 0.01, 0.03}) {
+      const double y = b * std::sqrt(1 - x * x / (a * a)) + sigma / 4;
+      vortex::Blobs blobs;
+      blobs.append({x, y}, 1, sigma);
+      const FoldedBlobs core = fold(blobs, &wall.shape());
+      const vortex::ThreePoints three(core.deviator(0), wall.shape().nearest(core.at(0)));
+      const Complex arm = std::sqrt(Complex{three.arm_squared.re, three.arm_squared.im});
+      const Complex at = test::complex(core.at(0));
+      const FoldedBlobs points{{at.real(), (at + arm).real(), (at - arm).real()},
+                               {at.imag(), (at + arm).imag(), (at - arm).imag()},
+                               {0.01, 0.01, 0.01}};
+      const std::vector<double> one{1.0}, shares{1 - three.outer, three.outer / 2, three.outer / 2};
+      const auto slip = wall.slip({}, test::sampled(wall, core, one), core, one),
+                 exact = wall.slip({}, test::sampled(wall, points, shares), points, shares);
+      double off = 0, most = 0;
+      for (std::size_t i = 0; i < wall.panels(); ++i) {
+        off = std::max(off, std::abs(slip[i] - exact[i]));
+        most = std::max(most, std::abs(exact[i]));
+      }
+      CAPTURE(x, sigma, off, most);
+      CHECK(off < 0.01 * most);  // two Gauss points for either, and the series
+    }
+}
+
 TEST_CASE("the impulse of a sheet on graded panels is that of the added mass, by either route") {
   const Wall wall(thin(), 400);
   const auto sheet = sheet_of(wall);
