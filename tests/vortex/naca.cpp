@@ -143,8 +143,8 @@ TEST_CASE("an edge that is too sharp, too blunt or not a number is turned away")
 
 TEST_CASE("the sheet of a rounded Joukowski section is that of its map, to spectral accuracy") {
   for (double incidence : {0.0, 0.2}) {
-    const double coarse = joukowski_error(200, incidence), fine = joukowski_error(400, incidence),
-                 finest = joukowski_error(800, incidence);
+    const double coarse = joukowski_error(60, incidence), fine = joukowski_error(90, incidence),
+                 finest = joukowski_error(180, incidence);
     CAPTURE(coarse, fine, finest);
     CHECK(fine < 0.2 * coarse);
     CHECK(finest < 0.05 * fine);

@@ -170,9 +170,10 @@ double NearPanels::owed_at_end(Vec2 at, std::size_t place, bool last, std::span<
   const Column& ends = last ? end_ : begin_;
   const Vec2 d = Vec2{ends.x[place], ends.y[place]} - at;
   const double gamma = 1.5 * sheet[place] - 0.5 * sheet[last ? place - 1 : place + 1];
-  const std::size_t after = last ? place + 1 : place;
-  const double here = (length_[after - 1] + length_[after]) / (2 * b),
-               more = (length_[after] - length_[after - 1]) / (b * b);
+  const std::size_t after = last ? place + 1 : place,
+                    before = after > 0 ? after - 1 : panels_ - 1;
+  const double here = (length_[before] + length_[after]) / (2 * b),
+               more = (length_[after] - length_[before]) / (b * b);
   const double along = dot(d, {chord_.x[place], chord_.y[place]}) / dot(d, d);
   return -panel::inverse_two_pi * gamma * (here * here * along + more * std::log(dot(d, d)) / 2);
 }
