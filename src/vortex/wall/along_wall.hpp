@@ -54,7 +54,8 @@ Trace trace(const CoreAtWall& core);
 ///
 /// error   of what varies as sin(k s): a share 1 - (1 + q) exp(-q) < q^2/2, q = (k w/2)^2; what is
 ///         cut off beyond 4 W is 2e-6 of a trace's largest value
-/// cost    2 ns a panel within 4 W, 10 ns where panels are uneven; a nearest wall point for each panel at the beginning
+/// cost    2 ns a panel within 4 W, more where panels are uneven, of which each takes an
+///         exponential; a nearest wall point for each panel at the beginning
 /// source  Beale & Majda, J. Comput. Phys. 58 (1985), for such kernels
 ///
 /// wall  outlives it

@@ -13,7 +13,8 @@ namespace vortree::vortex {
 /// The panels of one body, one after another.
 ///
 /// edge    where each begins; middle and tangent half a step of t on
-/// sample  places where far fields are sampled, two a panel, and ds/dt there over that in the middle
+/// sample  places where far fields are sampled, two a panel; stretch is ds/dt there over that in
+///         the middle
 /// arc     where each begins, from 0 on
 struct PanelsOfBody {
   std::span<const Vec2> edge, middle, tangent;
