@@ -20,7 +20,7 @@ namespace vortree::body {
 /// centre  at t = 0, in the scene
 /// motion  of all bodies together
 /// own     beside that
-/// panels  so many pieces of its wall, of equal length, are told apart
+/// panels  so many pieces of its wall are told apart, shorter where it bends (grading.hpp)
 struct Body {
   std::shared_ptr<const Shape> shape;
   Vec2 centre{};

@@ -45,6 +45,10 @@ Tip tip_of(const BodySettings& body) {
   return {between, 1 / shape->nearest(between).curvature};
 }
 
+PanelLimits panel_limits_of(const BodySettings& body) {
+  return PanelLimits(*outline_of(body));
+}
+
 bool round(const BodySettings& body) {
   const std::vector<OutlinePoint> all = outline_of(body)->trace();
   const auto [nearest, farthest] = std::ranges::minmax_element(all, {}, square_of);

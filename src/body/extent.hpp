@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/vec2.hpp"
+#include "body/outlines/panel_limits.hpp"
 #include "body/settings.hpp"
 #include "body/shape.hpp"
 
@@ -34,6 +35,9 @@ struct Tip {
 /// error   round-off where the tip is among the places of Shape::trace, as those of ellipses and
 ///         foils by formula are; elsewhere 1e-8 of the size in its place
 [[nodiscard]] Tip tip_of(const BodySettings& body);
+
+/// How long panels along it may be.
+[[nodiscard]] PanelLimits panel_limits_of(const BodySettings& body);
 
 /// A circle about its centre, of whatever shape: it has no tip, and can turn in its place.
 [[nodiscard]] bool round(const BodySettings& body);

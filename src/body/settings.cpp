@@ -74,7 +74,7 @@ std::vector<Key> keys(BodySettings& body) {
         key("centre", body.centre, anything, "L",
             "place [x, y] of the centre; of a foil, of the middle of its chord"),
         key("panels", body.panels, {.low = 8, .words = "a body needs at least 8 panels"}, "",
-            "wall elements around the body"),
+            "wall elements around the body, shorter where it bends or is thin"),
         inner("motion", body.motion,
               "how one of several bodies moves beside what [motion] has all do")})
     all.push_back(std::move(one));

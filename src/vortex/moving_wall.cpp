@@ -18,8 +18,10 @@ bool moves(const body::Motion& own) {
 
 MovingWall::MovingWall(std::vector<WallBody> bodies, std::vector<body::Motion> own, bool turns)
     : bodies_(std::move(bodies)), own_(std::move(own)), moves_(std::ranges::any_of(own_, moves)) {
+  for (WallBody& body : bodies_) body.grading.emplace(*body.shape, body.panels);
   if (!turns && std::ranges::none_of(own_, [](const auto& one) { return one.turns(); })) return;
-  for (const WallBody& body : bodies_) alone_.emplace_back(Wall(body.shape, body.panels));
+  for (const WallBody& body : bodies_)
+    alone_.emplace_back(Wall({{body.shape, body.panels, {}, body.grading}}));
 }
 
 std::size_t MovingWall::panels() const {
@@ -55,7 +57,7 @@ std::shared_ptr<const Standing> MovingWall::made(double time) const {
     placed.push_back(
         {plain ? bodies_[k].shape
                : std::make_shared<body::PlacedShape>(bodies_[k].shape, at, angles.back()),
-         bodies_[k].panels, at});
+         bodies_[k].panels, at, bodies_[k].grading});
   }
   auto standing = std::make_shared<Standing>(Standing{Wall(std::move(placed)), {}});
   for (std::size_t k = 0; k < alone_.size(); ++k)

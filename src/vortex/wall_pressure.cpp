@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "base/ordered_sum.hpp"
 
@@ -24,7 +23,8 @@ double mean(const Wall& wall, std::span<const double> w, const auto& of_panel) {
   double sum = 0;
   for (const Ring& ring : wall.rings()) {
     double around = 0;
-    for (std::size_t i = ring.first; i < ring.end(); ++i) around += w[i] * of_panel(i);
+    for (std::size_t i = ring.first; i < ring.end(); ++i)
+      around += wall.panel_length(i) / ring.length * w[i] * of_panel(i);
     sum += ring.length / two_pi * around;
   }
   return sum;
@@ -122,14 +122,17 @@ struct EndOfParabola {
   }
 };
 
-/// The integral of a slope around a body, from anywhere on; what would not close is spread evenly.
-void integrate(std::span<const double> slope, double b, std::span<double> p) {
-  const double open =
-      std::accumulate(slope.begin(), slope.end(), 0.0) / static_cast<double>(slope.size());
+/// The integral of a slope around a body in panels of lengths b, from anywhere on; what would not
+/// close is spread evenly.
+void integrate(std::span<const double> slope, std::span<const double> b, double mean,
+               std::span<double> p) {
+  double open = 0;
+  for (std::size_t i = 0; i < slope.size(); ++i) open += b[i] / mean * slope[i];
+  open /= static_cast<double>(slope.size());
   double edge = 0;
   for (std::size_t i = 0; i < slope.size(); ++i) {
-    p[i] = edge + b / 2 * (slope[i] - open);
-    edge += b * (slope[i] - open);
+    p[i] = edge + b[i] / 2 * (slope[i] - open);
+    edge += b[i] * (slope[i] - open);
   }
 }
 
@@ -146,7 +149,9 @@ std::vector<double> slope_at_end(const SlopeMeans& known, double time, double dt
 
 std::vector<double> integrated(const Wall& wall, std::span<const double> slope) {
   std::vector<double> p(wall.panels());
-  for (const Ring& ring : wall.rings()) integrate(ring.of(slope), ring.length, ring.of(p));
+  const std::span<const double> lengths = wall.panel_lengths();
+  for (const Ring& ring : wall.rings())
+    integrate(ring.of(slope), ring.of(lengths), ring.length, ring.of(p));
   return p;
 }
 

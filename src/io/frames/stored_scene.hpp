@@ -31,9 +31,9 @@ namespace vortree::io {
                                  std::span<const std::string> overrides);
 
 /// The table, or key at the top, of the first difference between two scenes that would change the
-/// flow; empty if there is none. What may change on the way is where a run ends, what it writes, and
-/// what it is held against; that an accuracy was asked for does not count beside what was chosen by
-/// it.
+/// flow; empty if there is none. What may change on the way is where a run ends, what it writes,
+/// and what it is held against; that an accuracy was asked for does not count beside what was
+/// chosen by it.
 [[nodiscard]] std::string flow_difference(const Scene& a, const Scene& b);
 
 /// throws  InputError if two scenes differ in more than may change on the way

@@ -20,12 +20,14 @@ struct Choice {
   int panels;
 };
 
-/// Panels no longer than what they release is wide, and fine enough for the body's tips.
+/// Panels no longer than what they release is wide, and fine enough where the body bends.
 int panels_for(const body::BodySettings& body, double sigma_0) {
   const double perimeter = body::perimeter_of(body);
   const double around = std::max(perimeter, std::numbers::pi * body::length_of(body));
-  const double tips = perimeter / (panel_at_tip * body::tip_of(body).radius);
-  return static_cast<int>(std::clamp(std::max(around / (2.4 * sigma_0), tips), 128.0, 4000.0));
+  const body::PanelLimits limits = body::panel_limits_of(body);
+  const double enough = std::max(limits.panels_with(2.4 * sigma_0 * perimeter / around),
+                                 enough_panels * limits.needed());
+  return static_cast<int>(std::clamp(enough, 128.0, 4000.0));
 }
 
 double steps_a_period(double e) {

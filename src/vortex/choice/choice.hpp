@@ -31,8 +31,9 @@ namespace vortree::vortex {
 ///                                           below a little less, so that time.end is met
 ///                                           (flow/steps.hpp)
 ///   sigma_0   = sqrt(2 nu dt)               panels: 2.4 sigma_0 long on the circle around the
-///                                           body, 0.7 of the radius of an edge or tip at most,
-///                                           128 to 4000 of them
+///                                           body, and shorter where it bends or is thin, one and a
+///                                           half as many as needed there at least
+///                                           (body/outlines/panel_limits.hpp), 128 to 4000 of them
 ///   merging.tolerance = 4 e U               beside the wall, where forces come from, hardly
 ///                                           anything merges: drag is the same to a tenth of e with
 ///                                           a quarter of it, for an eighth more blobs

@@ -92,14 +92,13 @@ void hold_steps(const VortexCase& scene) {
 }
 
 void hold_tips(const body::BodySettings& body, const std::string& key) {
-  const double around = body::perimeter_of(body), panel = around / body.panels,
-               tip = body::tip_of(body).radius;
-  if (panel <= blind_at_tip * tip) return;
-  throw Refused(
-      key, fmt::format("{} is {}; panels of {:.3g} step over the body's tips of radius {:.3g}; "
-                       "at least {:.0f} see them, {:.0f} resolve them",
-                       key, body.panels, panel, tip, std::ceil(around / (blind_at_tip * tip)),
-                       std::ceil(around / (panel_at_tip * tip))));
+  const double needed = body::panel_limits_of(body).needed();
+  if (body.panels >= blind_panels * needed) return;
+  throw Refused(key,
+                fmt::format("{} is {}; so few step over the body's tips of radius {:.3g}; at "
+                            "least {:.0f} see them, {:.0f} resolve them",
+                            key, body.panels, body::tip_of(body).radius,
+                            std::ceil(blind_panels * needed), std::ceil(enough_panels * needed)));
 }
 
 /// merging.box must hold what fills a rectangle.

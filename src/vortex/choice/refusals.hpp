@@ -13,7 +13,7 @@ namespace vortree::vortex {
 ///   vortices    nearer than a core, farther apart (or from the body) than 1e5 of them
 ///   steps       in which a vortex, or vorticity at the wall, turns by more than 100 rad; less than
 ///               four in a period of the plunge; an exchange of circulation that is unstable
-///   tips        of an ellipse or a foil, that panels of more than 12 of their radii step over
+///   tips        that less than half of the panels which the outline needs step over
 ///   merging.box that does not hold the body, or the initial vorticity
 /// throws  Refused
 void refuse_senseless(const VortexCase& scene);

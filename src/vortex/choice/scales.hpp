@@ -4,10 +4,12 @@
 
 namespace vortree::vortex {
 
-/// Panels so many radii of a tip long have the sheet of a stream around it right to 5e-4; of 1.5,
-/// to 1 %, of 3, to 10 %; of 10 and more, hardly its sign (measured on ellipses of 5 : 1 to 50 : 1
-/// and on the foil).
-inline constexpr double panel_at_tip = 0.7, coarse_at_tip = 1.5, blind_at_tip = 12;
+/// Of the panels that an outline needs (body/outlines/panel_limits.hpp) so many have the sheet of a
+/// stream right to 4e-4 of its largest, to 2e-3 around the sharpest edges; as many as are needed to
+/// 5e-3, 0.75 of them to 5 %; below half hardly its sign is right (measured on ellipses of 5 : 1 to
+/// 50 : 1, on foils with edges of 0.0002 to 0.005 chords and on plates).
+inline constexpr double enough_panels = 1.5, few_panels = 1, too_few_panels = 0.75,
+                        blind_panels = 0.5;
 
 /// The least radius of a tip among the bodies; infinity without any.
 [[nodiscard]] double sharpest_tip(const VortexCase& scene);

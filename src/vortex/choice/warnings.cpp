@@ -78,21 +78,23 @@ void doubt_step(Warnings& list, const VortexCase& scene) {
 
 void doubt_panels(Warnings& list, const body::BodySettings& body, const std::string& key,
                   double thin) {
-  const double around = body::perimeter_of(body), panel = around / body.panels;
+  const body::PanelLimits limits = body::panel_limits_of(body);
+  const double panel = limits.longest_of(body.panels), resolving = enough_panels * limits.needed();
   if (panel > 6 * thin)
     list.push_back(fmt::format(
         "{} = {}: panels of {:.2g} are {:.2g} released cores long, so that fresh "
         "vorticity has gaps along the wall: the drag will be noisy, by percents and more; {:.0f} "
         "are "
         "enough",
-        key, body.panels, panel, panel / thin, std::ceil(around / (2.4 * thin))));
-  const double tip = body::tip_of(body).radius;
-  if (panel > coarse_at_tip * tip)
-    list.push_back(
-        fmt::format("{} = {}: panels of {:.2g} do not resolve an edge of radius {:.2g}: the sheet "
-                    "around it will be off by {}; {:.0f} are enough",
-                    key, body.panels, panel, tip, panel > 3 * tip ? "a tenth and more" : "percents",
-                    std::ceil(around / (panel_at_tip * tip))));
+        key, body.panels, panel, panel / thin,
+        std::ceil(std::max(limits.panels_with(2.4 * thin), resolving))));
+  if (body.panels < few_panels * limits.needed())
+    list.push_back(fmt::format(
+        "{} = {}: so few do not resolve an outline with an edge of radius {:.2g}: the sheet around "
+        "it will be off by {}; {:.0f} are enough",
+        key, body.panels, body::tip_of(body).radius,
+        body.panels < too_few_panels * limits.needed() ? "a tenth and more" : "percents",
+        std::ceil(resolving)));
 }
 
 /// Cores between two bodies are folded by the nearer one alone.

@@ -16,8 +16,8 @@ namespace vortree::vortex {
 ///   cores     drag error about sigma_max^2/(16 d^2), named from 5 % on
 ///   time step wall vorticity turns by about 2 U/d dt, named from 2 rad on;
 ///             around an edge or tip from 15 rad on
-///   panels    longer than 6 released cores leave gaps between them; longer than 1.5 radii of an
-///             edge or tip miss how the flow turns around it
+///   panels    longer than 6 released cores leave gaps between them; fewer than an outline needs
+///             miss how the flow turns around its edges
 ///   children  of a split that fill 0.66 of the square of what mergers may leave, more where
 ///             panels are long: the sheet of the start may not settle
 ///   box       nearer than 7 d and half a D, or than vorticity spreads until the end; than the wake

@@ -27,7 +27,7 @@ std::string multiplies(const VortexCase& scene) {
 /// flows, up to 0.65 all starts settled, from 0.69 on some did not.
 double crowding_at_start(const VortexCase& scene) {
   const double child = width_of_endless_splits(scene), widest = scene.cores.sigma_max,
-               panel = body::perimeter_of(*scene.body) / scene.body->panels;
+               panel = body::panel_limits_of(*scene.body).longest_of(scene.body->panels);
   return child * child / (scene.merging.cap * widest * widest) *
          std::sqrt(panel / (2.4 * scene.cores.sigma_0));
 }

@@ -12,14 +12,19 @@ namespace vortree::vortex {
 namespace {
 
 /// A sheet that is itself again, to the fourth power of a panel, when it has been smoothed along
-/// the wall by so much variance beyond its own, in squares of a panel's length.
-/// `sheet` is that of one body.
-std::vector<double> sharpened(std::span<const double> sheet, double variance) {
+/// the wall by variances v: gamma - (v gamma)''/2, told by fluxes between panels of lengths b.
+/// All are of one body.
+std::vector<double> sharpened(std::span<const double> sheet, std::span<const double> b,
+                              std::span<const double> v) {
   const std::size_t n = sheet.size();
-  std::vector<double> result(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double around = sheet[(i + 1) % n] + sheet[(i + n - 1) % n];
-    result[i] = sheet[i] - variance / 2 * (around - 2 * sheet[i]);
+  const double most = std::ranges::max(v);
+  std::vector<double> result(sheet.begin(), sheet.end());
+  for (std::size_t i = 0; most > 0 && i < n; ++i) {
+    const auto way = [&](std::size_t k) { return 2 * b[i] / (b[i] + b[k]); };
+    const auto moves = [&](std::size_t k) { return v[k] / most * sheet[k]; };
+    const std::size_t next = (i + 1) % n, last = (i + n - 1) % n;
+    const double around = way(next) * moves(next) + way(last) * moves(last);
+    result[i] -= most / (b[i] * b[i]) / 2 * (around - (way(next) + way(last)) * moves(i));
   }
   return result;
 }
@@ -28,13 +33,19 @@ std::vector<double> sharpened(std::span<const double> sheet, double variance) {
 /// panel, which leaves a ripple of 1e-4 between neighbors.
 void release(std::span<const double> sheet, const Wall& wall, const Ring& ring, double core,
              Blobs& blobs) {
-  const double b = ring.length, along = std::max(core, b);
-  const Covariance v{core * core / 2, 0, along * along / 2};
-  const std::vector<double> sharp = sharpened(ring.of(sheet), (v.tt - v.nn) / (b * b));
+  const auto covariance = [&](double b) {
+    const double along = std::max(core, b);
+    return Covariance{core * core / 2, 0, along * along / 2};
+  };
+  const std::span<const double> lengths = wall.panel_lengths();
+  std::vector<double> wider;
+  for (const double b : ring.of(lengths)) wider.push_back(covariance(b).tt - covariance(b).nn);
+  const std::vector<double> sharp = sharpened(ring.of(sheet), ring.of(lengths), wider);
   for (std::size_t i = ring.first; i < ring.end(); ++i) {
+    const Covariance v = covariance(lengths[i]);
     const body::WallPoint at = wall.shape().nearest(wall.middle(i));
     blobs.append(wall.middle(i) - folded::sag(v.nn, v.tt, at.curvature) * at.normal,
-                 sharp[i - ring.first] * b, core_of(v, at.normal));
+                 sharp[i - ring.first] * lengths[i], core_of(v, at.normal));
   }
 }
 

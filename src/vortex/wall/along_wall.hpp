@@ -54,7 +54,8 @@ Trace trace(const CoreAtWall& core);
 ///
 /// error   of what varies as sin(k s): a share 1 - (1 + q) exp(-q) < q^2/2, q = (k w/2)^2; what is
 ///         cut off beyond 4 W is 2e-6 of a trace's largest value
-/// cost    2 ns a panel within 4 W; a nearest wall point for each panel at the beginning
+/// cost    2 ns a panel within 4 W, more where panels are uneven, of which each takes an
+///         exponential; a nearest wall point for each panel at the beginning
 /// source  Beale & Majda, J. Comput. Phys. 58 (1985), for such kernels
 ///
 /// wall  outlives it
@@ -68,6 +69,12 @@ class AlongWall {
   double smoothed_over(std::size_t panel) const { return smoothed_over_[panel]; }
 
  private:
+  struct Smoothed;
+  void add_evenly(const Trace& trace, const Ring& ring, std::span<double> values) const;
+  /// here  the panel where the trace is
+  void add_unevenly(const Trace& trace, std::size_t here, const Ring& ring,
+                    std::span<double> values) const;
+
   const Wall* wall_;
   std::vector<double> smoothed_over_;
 };

@@ -1,5 +1,8 @@
 #include "vortex/wall/far_moments.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "vortex/wall/panel_kernel.hpp"
 #include "vortex/wall/tuning.hpp"
 
@@ -74,13 +77,26 @@ class FarMoments::Columns {
   std::vector<double> values_;
 };
 
-FarMoments::FarMoments(std::span<const Vec2> edge, std::span<const Vec2> middle, double length,
-                       std::size_t aside)
+FarMoments::FarMoments(std::span<const Vec2> edge, std::span<const Vec2> middle,
+                       std::span<const double> length, std::size_t aside)
     : panels_(middle.size()),
       aside_(aside),
-      length_(length),
       edge_(edge.begin(), edge.end()),
-      middle_(middle.begin(), middle.end()) {}
+      middle_(middle.begin(), middle.end()),
+      length_(length.begin(), length.end()) {
+  for (std::size_t i = 0; i < panels_; ++i)
+    reach_.push_back(std::min(gathered_within * length_[i], gathered_of_clear * clear(i)));
+}
+
+/// From the middle of a panel to the nearest edge of those that are far from it.
+double FarMoments::clear(std::size_t panel) const {
+  double least = INFINITY;
+  for (std::size_t k = aside_ + 1; k + aside_ < panels_ + 1; ++k) {
+    const Vec2 d = edge_[(panel + k) % panels_] - middle_[panel];
+    least = std::min(least, dot(d, d));
+  }
+  return std::sqrt(least);
+}
 
 std::vector<double> FarMoments::none() const {
   return std::vector<double>(numbers * panels_);
@@ -118,18 +134,18 @@ void FarMoments::add_slip(std::span<const double> moments, std::span<double> sli
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     const double begin = at_edge[i] + columns.of_panel(edge_[i], i + panels_ - aside_ - 1);
     const double end = at_edge[i + 1] + columns.of_panel(edge_[(i + 1) % n], i + aside_ + 1);
-    slip[i] += panel::inverse_two_pi / length_ * (end - begin);
+    slip[i] += panel::inverse_two_pi / length_[i] * (end - begin);
   }
 }
 
 void FarMoments::add_slip_elsewhere(std::span<const double> moments, std::span<const Vec2> edge,
-                                    double length, std::span<double> slip) const {
+                                    std::span<const double> length, std::span<double> slip) const {
   const Columns columns(middle_, moments);
   const std::size_t n = edge.size();
   std::vector<double> at_edge;
   for (const Vec2 at : edge) at_edge.push_back(columns.of_panels(at, 0, panels_));
   for (std::size_t i = 0; i < n; ++i)
-    slip[i] += panel::inverse_two_pi / length * (at_edge[(i + 1) % n] - at_edge[i]);
+    slip[i] += panel::inverse_two_pi / length[i] * (at_edge[(i + 1) % n] - at_edge[i]);
 }
 
 }  // namespace vortree::vortex

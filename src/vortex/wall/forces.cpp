@@ -49,10 +49,9 @@ void add_blob(const Blobs& blobs, std::size_t j, body::WallPoint nearest, double
 void add_sheet(std::span<const double> sheet, const Wall& wall, std::size_t body, double nu,
                double fresh, const AlongWall& along, WallShear& shear) {
   const Ring& ring = wall.rings()[body];
-  const double b = ring.length;
   for (std::size_t i = ring.first; i < ring.end(); ++i) {
-    const double arc = ring.arc + (static_cast<double>(i - ring.first) + 0.5) * b;
-    along.add({fresh * sheet[i] * b, arc, 0}, shear.vorticity);
+    const double b = wall.panel_length(i);
+    along.add({fresh * sheet[i] * b, wall.arc(i), 0}, shear.vorticity);
     const Vec2 arm = wall.middle(i) - ring.centre;
     shear.friction[body] += {(nu * fresh * sheet[i] * b) * wall.tangent(i),
                              nu * fresh * sheet[i] * b * dot(left_of(arm), wall.tangent(i))};
@@ -107,8 +106,8 @@ std::vector<Load> pressure_loads(std::span<const double> sheet, const Wall& wall
     double second = 0;
     for (std::size_t i = ring.first; i < ring.end(); ++i) {
       const Vec2 arm = wall.middle(i) - ring.centre;
-      first = first + (sheet[i] * ring.length) * arm;
-      second += sheet[i] * dot(arm, arm);
+      first = first + (sheet[i] * wall.panel_length(i)) * arm;
+      second += wall.panel_length(i) / ring.length * sheet[i] * dot(arm, arm);
     }
     loads.push_back({{-first.y / dt, first.x / dt}, ring.length / (2 * dt) * second});
   }

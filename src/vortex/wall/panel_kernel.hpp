@@ -79,9 +79,9 @@ inline Lanes angles_aside(Vec2 at, const ThreePoints& points, Vectors end) {
 }
 
 /// twin  point_velocity
-inline Vectors point_velocities(Vec2 at, Vectors source) {
+inline Vectors point_velocities(Vec2 at, Vectors source, Lanes circulation = fill(1.0)) {
   const Vectors d = at - source;
-  const Lanes r2 = dot(d, d), w = r2 > 0.0 ? inverse_two_pi / r2 : Lanes{};
+  const Lanes r2 = dot(d, d), w = circulation * (r2 > 0.0 ? inverse_two_pi / r2 : Lanes{});
   return {-w * d.y, w * d.x};
 }
 

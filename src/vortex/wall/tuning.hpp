@@ -16,9 +16,9 @@ inline constexpr int exact_aside = 6;
 /// Farther along the wall cores are felt by so many moments of all that are near a panel: more cost
 /// more, fewer miss more of cores that are wider than panels (far_moments.hpp).
 inline constexpr int far_moments = 8;
-/// Cores that reach so many panels from the wall are felt along all panels one by one: fewer cost
-/// more, more err more.
-inline constexpr double gathered_within = 3.5;
+/// Cores that reach so many panels from the wall, or so much of the way to panels far along it, are
+/// felt along all panels one by one: fewer cost more, more err more.
+inline constexpr double gathered_within = 3.5, gathered_of_clear = 0.6;
 /// Of a core's circulation, as the wall sees it, that part which lies aside of its mean
 /// (three_points.hpp has the errors): with less of it on longer arms the slip of narrow panels is
 /// too smooth, with more too rough. Flat from 0.45 to 0.55.

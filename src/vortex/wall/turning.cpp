@@ -25,10 +25,11 @@ std::vector<double> weights_of_logarithm(std::size_t n) {
   return weights;
 }
 
-/// ln|x_i - x_j| less its singular part; beside itself |dx/ds'|, s' going from 0 to 2 pi.
+/// ln|x_i - x_j| less its singular part; beside itself |dx/ds'|, s' going from 0 to 2 pi as t does
+/// around.
 double smooth_logarithm(const Wall& wall, std::size_t i, std::size_t j) {
   const double n = static_cast<double>(wall.panels());
-  if (i == j) return std::log(wall.panel_length(0) * n / (2 * pi));
+  if (i == j) return std::log(wall.panel_length(i) * n / (2 * pi));
   const Vec2 d = wall.middle(i) - wall.middle(j);
   const double sine = 2 * std::sin(pi * (static_cast<double>(i) - static_cast<double>(j)) / n);
   return 0.5 * std::log(dot(d, d) / (sine * sine));
@@ -38,13 +39,13 @@ double smooth_logarithm(const Wall& wall, std::size_t i, std::size_t j) {
 std::vector<double> along_wall(const Wall& wall) {
   const std::size_t n = wall.panels();
   const std::vector<double> weights = weights_of_logarithm(n);
-  const double per_parameter = wall.panel_length(0) * static_cast<double>(n) / (2 * pi);
   std::vector<double> w(n);
   for (std::size_t i = 0; i < n; ++i) {
     Vec2 sum;
     for (std::size_t j = 0; j < n; ++j) {
-      const double logarithm = 0.5 * per_parameter * weights[(i + n - j) % n] +
-                               wall.panel_length(0) * smooth_logarithm(wall, i, j);
+      const double b = wall.panel_length(j), per_parameter = b * static_cast<double>(n) / (2 * pi);
+      const double logarithm =
+          0.5 * per_parameter * weights[(i + n - j) % n] + b * smooth_logarithm(wall, i, j);
       sum += logarithm * wall.tangent(j);
     }
     w[i] = -dot(sum, wall.tangent(i)) / pi;
@@ -59,18 +60,22 @@ std::vector<double> sheet_outside(const Wall& wall, std::span<const double> w) {
   for (std::size_t i = 0; i < n; ++i) {
     const std::vector<double> k = wall.kernel(i);
     for (std::size_t j = 0; j < n; ++j)
-      a[i * n + j] = (i == j ? 0.5 : 0.0) + panel::inverse_two_pi * wall.panel_length(0) * k[j];
+      a[i * n + j] = (i == j ? 0.5 : 0.0) + panel::inverse_two_pi * wall.panel_length(j) * k[j];
   }
   return LinearSystem(a, n).solve(w);
 }
 
 /// Averages over panels of what is smooth and known at their middles, to O(b^4).
-std::vector<double> averaged(std::span<const double> at_middles) {
+std::vector<double> averaged(std::span<const double> at_middles, const Wall& wall) {
   const std::size_t n = at_middles.size();
   std::vector<double> mean(n);
-  for (std::size_t i = 0; i < n; ++i)
-    mean[i] = at_middles[i] +
-              (at_middles[(i + 1) % n] - 2 * at_middles[i] + at_middles[(i + n - 1) % n]) / 24;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto by_own = [&](std::size_t k) {
+      return wall.panel_length(k) / wall.panel_length(i) * at_middles[k];
+    };
+    mean[i] =
+        at_middles[i] + (by_own((i + 1) % n) - 2 * at_middles[i] + by_own((i + n - 1) % n)) / 24;
+  }
   return mean;
 }
 
@@ -82,7 +87,7 @@ Turning::Turning(const Wall& wall) {
   std::vector<double> beyond = w;
   for (std::size_t i = 0; i < w.size(); ++i)
     beyond[i] -= dot(left_of(wall.middle(i)), wall.tangent(i));
-  slip = averaged(beyond);
+  slip = averaged(beyond, wall);
   circulation = 2 * wall.area();
   moment = 2 * wall.area_moment();
   of_centroid = 0.5 * moment;
@@ -100,8 +105,7 @@ Turning Turning::among(const Wall& all, std::size_t k, double angle) const {
   all.add_velocity(there.sheet, {.method = fmm::SumMethod::direct}, all.samples(), u);
   there.slip.clear();
   for (std::size_t i = 0; i < all.panels(); ++i)
-    there.slip.push_back(
-        0.5 * dot(Vec2{u.u[2 * i] + u.u[2 * i + 1], u.v[2 * i] + u.v[2 * i + 1]}, all.tangent(i)));
+    there.slip.push_back(dot(all.mean_of_samples(u, i), all.tangent(i)));
   std::ranges::copy(slip, ring.of(there.slip).begin());
   return there;
 }

@@ -15,7 +15,7 @@ namespace vortree::vortex {
 /// slip         tangential velocity of the patch along each panel beyond e x x, that of its wall,
 ///              averaged over it; a circle about its centre leaves none
 /// sheet        on the outline, which moves the fluid outside as the patch does,
-///              gamma_i/2 + b sum_j K(x_i, x_j) gamma_j = w_i t_i
+///              gamma_i/2 + sum_j b_j K(x_i, x_j) gamma_j = w_i t_i
 /// circulation  of the patch, 2 A [m^2]
 /// moment       int 2 x dA over the body [m^3], about the origin
 /// of_centroid  A times the arm from the centre to the centroid [m^3]

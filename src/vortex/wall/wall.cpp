@@ -28,7 +28,7 @@ std::vector<double> sheet_equations(const Wall& wall) {
     const Ring& ring = wall.rings()[r];
     for (std::size_t i = ring.first; i < ring.end(); ++i) {
       a[i * all + n + r] = 1;
-      a[(n + r) * all + i] = ring.length;
+      a[(n + r) * all + i] = wall.panel_length(i);
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
@@ -61,26 +61,39 @@ Wall::Wall(std::vector<WallBody> bodies) : shape_(together(bodies)) {
 
 void Wall::add_body(const WallBody& body, double arc) {
   const body::Shape& shape = *body.shape;
-  const double length = shape.perimeter() / body.panels;
-  const Ring ring{panels(), static_cast<std::size_t>(body.panels), arc, length, body.centre};
+  const body::Grading grading = body.grading ? *body.grading : body::Grading(shape, body.panels);
+  const Ring ring{panels(),    static_cast<std::size_t>(body.panels),
+                  arc,         shape.perimeter() / body.panels,
+                  body.centre, grading.even()};
+  std::vector<double> ends;
   for (int i = 0; i < body.panels; ++i) {
-    edge_.push_back(shape.point(i * length));
-    middle_.push_back(shape.point((i + 0.5) * length));
+    ends.push_back(grading.arc(i));
+    edge_.push_back(shape.point(ends.back()));
+    arc_.push_back(arc + grading.arc(i + 0.5));
+    length_.push_back(grading.length(i + 0.5));
+    middle_.push_back(shape.point(grading.arc(i + 0.5)));
     tangent_.push_back(shape.nearest(middle_.back()).tangent());
     middle_x_.push_back(middle_.back().x);
     middle_y_.push_back(middle_.back().y);
     for (double offset : {0.5 - gauss, 0.5 + gauss}) {
-      const Vec2 p = shape.point((i + offset) * length);
+      const Vec2 p = shape.point(grading.arc(i + offset));
       sample_x_.push_back(p.x);
       sample_y_.push_back(p.y);
+      sample_stretch_.push_back(grading.length(i + offset) / length_.back());
     }
   }
   rings_.push_back(ring);
-  const tree::Points own{std::span(sample_x_).subspan(2 * ring.first),
-                         std::span(sample_y_).subspan(2 * ring.first)};
-  const NearPanels near(ring.of(edge_), ring.of(middle_), ring.of(tangent_), own, length);
-  parts_.push_back(
-      {body.shape, near, FarMoments(ring.of(edge_), ring.of(middle_), length, near.aside())});
+  const PanelsOfBody own{
+      ring.of(edge_),
+      ring.of(middle_),
+      ring.of(tangent_),
+      {std::span(sample_x_).subspan(2 * ring.first), std::span(sample_y_).subspan(2 * ring.first)},
+      std::span(sample_stretch_).subspan(2 * ring.first),
+      ring.of(length_),
+      ends};
+  const NearPanels near(own);
+  parts_.push_back({body.shape, near,
+                    FarMoments(ring.of(edge_), ring.of(middle_), ring.of(length_), near.aside())});
 }
 
 std::size_t Wall::ring_of(std::size_t panel) const {
@@ -122,14 +135,15 @@ void Wall::add_core(Vec2 at, const Deviator& deviator, const body::WallPoint& ne
   const ThreePoints points(deviator, nearest);
   const std::size_t own = ring_at(nearest.arc);
   const double arc = nearest.arc - rings_[own].arc;
-  if (std::hypot(nearest.distance, points.arm()) > gathered_within * rings_[own].length) {
+  const std::size_t panel = parts_[own].near.panel_at(arc);
+  if (!parts_[own].far.serves(panel, std::hypot(nearest.distance, points.arm()))) {
     for (std::size_t k = 0; k < parts_.size(); ++k)
       parts_[k].near.add_aside_everywhere(at, points, gamma, missed.near[k]);
     return;
   }
   const NearPanels& near = parts_[own].near;
   near.add_aside(at, points, arc, gamma, missed.near[own]);
-  parts_[own].far.gather(at, points, gamma, near.panel_at(arc), missed.moments[own]);
+  parts_[own].far.gather(at, points, gamma, panel, missed.moments[own]);
 }
 
 Wall::Missed Wall::missed_by_samples(const FoldedBlobs& folded, std::span<const double> gamma,
@@ -139,7 +153,7 @@ Wall::Missed Wall::missed_by_samples(const FoldedBlobs& folded, std::span<const 
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     missed.near.push_back(parts_[k].near.wrapped_zeros());
     missed.moments.push_back(parts_[k].far.none());
-    widest = std::max(widest, rings_[k].length);
+    widest = std::max(widest, parts_[k].near.longest());
   }
   for (std::size_t j = first; j < last; ++j) {
     const Vec2 at = folded.at(j);
@@ -149,10 +163,10 @@ Wall::Missed Wall::missed_by_samples(const FoldedBlobs& folded, std::span<const 
         folded.wall.nearest(j, at, round ? exact_within * widest : INFINITY, shape_.get());
     if (w.distance == INFINITY) continue;
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-      const double exact = exact_within * rings_[k].length;
-      const body::WallPoint on_body = nearest_on(k, w, at, exact);
-      if (on_body.distance <= exact)
-        parts_[k].near.add_missed(at, on_body.arc, gamma[j], missed.near[k]);
+      const NearPanels& near = parts_[k].near;
+      const body::WallPoint on_body = nearest_on(k, w, at, exact_within * near.longest());
+      if (near.close(on_body.distance, on_body.arc))
+        near.add_missed(at, on_body.arc, gamma[j], missed.near[k]);
     }
     if (!round) add_core(at, deviator, w, gamma[j], missed);
   }
@@ -161,14 +175,19 @@ Wall::Missed Wall::missed_by_samples(const FoldedBlobs& folded, std::span<const 
   return missed;
 }
 
+Vec2 Wall::mean_of_samples(const Velocities& at_samples, std::size_t i) const {
+  const auto at = [&](std::size_t k) {
+    return sample_stretch_[k] * Vec2{at_samples.u[k], at_samples.v[k]};
+  };
+  return 0.5 * (at(2 * i) + at(2 * i + 1));
+}
+
 std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const FoldedBlobs& folded,
                                std::span<const double> gamma) const {
   const auto n = static_cast<std::ptrdiff_t>(panels());
   std::vector<double> slip(panels());
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const Vec2 far = 0.5 * (Vec2{at_samples.u[2 * i], at_samples.v[2 * i]} +
-                            Vec2{at_samples.u[2 * i + 1], at_samples.v[2 * i + 1]});
-    slip[i] = dot(stream + far, tangent_[i]);
+    slip[i] = dot(stream + mean_of_samples(at_samples, i), tangent_[i]);
   }
   const Missed missed = ordered_sum(gamma.size(), [&](std::size_t first, std::size_t last) {
     return missed_by_samples(folded, gamma, first, last);
@@ -180,7 +199,7 @@ std::vector<double> Wall::slip(Vec2 stream, const Velocities& at_samples, const 
     for (std::size_t other = 0; other < parts_.size(); ++other)
       if (other != k)
         parts_[k].far.add_slip_elsewhere(missed.moments[k], rings_[other].of(edge_),
-                                         rings_[other].length, rings_[other].of(slip));
+                                         rings_[other].of(length_), rings_[other].of(slip));
   }
   return slip;
 }
@@ -210,8 +229,9 @@ void Wall::add_velocity_of_points(const Ring& ring, std::span<const double> shee
                                   const fmm::Options& sums, tree::Points targets,
                                   Velocities& u) const {
   const tree::Points middles{ring.of(middle_x_), ring.of(middle_y_)};
-  std::vector<double> circulation(sheet.begin() + ring.first, sheet.begin() + ring.end());
-  for (double& g : circulation) g *= ring.length;
+  std::vector<double> circulation;
+  for (std::size_t i = ring.first; i < ring.end(); ++i)
+    circulation.push_back(sheet[i] * length_[i]);
   const Disc disc(middles);
   const auto served = [&](std::uint32_t t) { return disc.serves({targets.x[t], targets.y[t]}); };
   const std::vector<std::uint32_t> far = tree::numbers_where(targets.size(), served),
@@ -235,13 +255,14 @@ void Wall::add_velocity_of_points(const Ring& ring, std::span<const double> shee
 
 void Wall::each_near(std::size_t k, tree::Points targets, const WallPoints& found,
                      const auto& use) const {
-  const double exact = exact_within * rings_[k].length;
+  const NearPanels& near = parts_[k].near;
+  const double farthest = exact_within * near.longest();
   const auto count = static_cast<std::ptrdiff_t>(targets.size());
 #pragma omp parallel for schedule(dynamic, wall_points_a_turn)
   for (std::ptrdiff_t t = 0; t < count; ++t) {
     const Vec2 at{targets.x[t], targets.y[t]};
-    const body::WallPoint w = nearest_on(k, found.known(t), at, exact);
-    if (std::abs(w.distance) < exact) use(t, at, w.arc);
+    const body::WallPoint w = nearest_on(k, found.known(t), at, farthest);
+    if (near.close(std::abs(w.distance), w.arc)) use(t, at, w.arc);
   }
 }
 
@@ -262,8 +283,7 @@ void Wall::add_velocity(std::span<const double> sheet, const fmm::Options& sums,
 void Wall::add_stream_function(std::span<const double> sheet, const fmm::Options& sums,
                                tree::Points targets, std::span<double> psi) const {
   std::vector<double> circulation(sheet.begin(), sheet.end()), of_points(targets.size());
-  for (const Ring& ring : rings_)
-    for (double& g : ring.of(circulation)) g *= ring.length;
+  for (std::size_t i = 0; i < panels(); ++i) circulation[i] *= length_[i];
   fmm::Plan({middle_x_, middle_y_, circulation, {}}, sums)
       .stream_function(fmm::Targets{targets.x, targets.y, {}}, of_points);
   for (std::size_t t = 0; t < psi.size(); ++t) psi[t] += of_points[t];
@@ -299,7 +319,7 @@ double Wall::area(std::size_t k) const {
   const Ring& ring = rings_[k];
   double sum = 0;
   for (std::size_t i = ring.first; i < ring.end(); ++i)
-    sum += 0.5 * ring.length * (middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x);
+    sum += 0.5 * length_[i] * (middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x);
   return sum;
 }
 
@@ -309,16 +329,14 @@ Vec2 Wall::area_moment(std::size_t k) const {
   Vec2 sum;
   for (std::size_t i = ring.first; i < ring.end(); ++i) {
     const double out = middle_[i].x * tangent_[i].y - middle_[i].y * tangent_[i].x;
-    sum += (out * ring.length / 3) * middle_[i];
+    sum += (out * length_[i] / 3) * middle_[i];
   }
   return sum;
 }
 
 Vec2 Wall::first_moment(std::span<const double> sheet) const {
   Vec2 sum;
-  for (const Ring& ring : rings_)
-    for (std::size_t i = ring.first; i < ring.end(); ++i)
-      sum = sum + (sheet[i] * ring.length) * middle_[i];
+  for (std::size_t i = 0; i < panels(); ++i) sum = sum + (sheet[i] * length_[i]) * middle_[i];
   return sum;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "body/outlines/grading.hpp"
 #include "body/shape.hpp"
 #include "fmm/options.hpp"
 #include "vortex/blobs/velocities.hpp"
@@ -17,23 +18,26 @@ namespace vortree::vortex {
 
 /// One of the bodies that a wall goes around.
 ///
-/// shape   as seen from the wall's origin
-/// centre  about which its moments are told
-/// panels  of equal arc length
+/// shape    as seen from the wall's origin
+/// centre   about which its moments are told
+/// grading  where its panels are, if it is known by now
 struct WallBody {
   std::shared_ptr<const body::Shape> shape;
   int panels;
   Vec2 centre{};
+  std::optional<body::Grading> grading{};
 };
 
 /// The panels of one body among those of a wall: they lie one after another.
 ///
 /// arc     where its first panel begins, along all of the wall
-/// length  of each of them
+/// length  of each of them, in the mean
+/// even    all have that length
 struct Ring {
   std::size_t first, panels;
   double arc, length;
   Vec2 centre;
+  bool even;
 
   std::size_t end() const { return first + panels; }
   /// Of values of all panels, those of this body.
@@ -43,20 +47,21 @@ struct Ring {
   }
 };
 
-/// A vortex sheet on the outlines of bodies, each in panels of equal arc length b, that holds all
-/// interiors at rest.
+/// A vortex sheet on the outlines of bodies that holds all interiors at rest. Each outline s(t) is
+/// in panels from t = i to i + 1 (body/outlines/grading.hpp), of length b_i = ds/dt in the middle.
 ///
 /// The slip of stream and blobs along panel i, averaged over it, fixes the sheet:
 ///
 ///   gamma_i/2 - sum_j b_j K(x_i, x_j) gamma_j = slip_i,   K(x, x') = (1/2 pi) d/dn ln|x - x'|,
-///   b sum_i gamma_i = total,  of each body,
+///   sum_i b_i gamma_i = total,  of each body,
 ///
 /// gamma, slip and tangent all anticlockwise (the bare stream past a circle gives -2 U sin theta).
 /// The trapezoid rule converges faster than any power of b on a smooth curve; K(x, x) is the
-/// curvature/(4 pi). Between bodies it errs by exp(-2 pi distance/b). The matrix is factorised
-/// once. The average of a vortex's tangential velocity is the angle under which it sees the panel,
-/// gamma/(2 pi b) * angle: exact however near it is. A core that the wall folds is seen as three
-/// bare points with its second moments (three_points.hpp), a free one as one.
+/// curvature/(4 pi). Between bodies, and between the two sides of a thin one, it errs by
+/// exp(-2 pi distance/b). The matrix is factorised once. The average over a panel is
+/// 1/b_i int slip ds; that of a vortex's tangential velocity is the angle under which it sees the
+/// panel, gamma/(2 pi b) * angle: exact however near it is. A core that the wall folds is seen as
+/// three bare points with its second moments (three_points.hpp), a free one as one.
 /// cost    setting up O(panels^3) once; a sheet O(panels^2 + blobs near the wall)
 /// source  Koumoutsakos, Leonard & Pepin, J. Comput. Phys. 113 (1994), eq. 12-15
 class Wall {
@@ -74,13 +79,23 @@ class Wall {
   std::size_t ring_at(double arc) const { return shape_->curve_at(arc); }
 
   std::size_t panels() const { return middle_.size(); }
-  double panel_length(std::size_t i) const { return rings_[ring_of(i)].length; }
+  double panel_length(std::size_t i) const { return length_[i]; }
+  std::span<const double> panel_lengths() const { return length_; }
+  /// Of its middle, along all of the wall.
+  double arc(std::size_t i) const { return arc_[i]; }
+  /// The panel of a body where this arc is, along all of the wall.
+  std::size_t panel_at(std::size_t ring, double arc) const {
+    return rings_[ring].first + parts_[ring].near.panel_at(arc - rings_[ring].arc);
+  }
   Vec2 middle(std::size_t i) const { return middle_[i]; }
   std::span<const Vec2> middles() const { return middle_; }
   Vec2 tangent(std::size_t i) const { return tangent_[i]; }
 
   /// Points where the far field is sampled for the slip: two Gauss points a panel.
   tree::Points samples() const { return {sample_x_, sample_y_}; }
+
+  /// Of what was found there, the mean along a panel.
+  Vec2 mean_of_samples(const Velocities& at_samples, std::size_t i) const;
 
   /// Average slip along each panel: stream, the bare velocity at samples(), what the samples miss
   /// of the vortices closer than a few panels, and the second moments of folded cores.
@@ -164,7 +179,7 @@ class Wall {
   std::vector<Ring> rings_;
   std::vector<Part> parts_;
   std::vector<Vec2> edge_, middle_, tangent_;
-  std::vector<double> sample_x_, sample_y_, middle_x_, middle_y_;
+  std::vector<double> sample_x_, sample_y_, sample_stretch_, middle_x_, middle_y_, length_, arc_;
   std::optional<LinearSystem> system_;
 };
 

@@ -92,12 +92,12 @@ TEST_CASE("cores wider than half the body, and steps that turn the flow around, 
 TEST_CASE("panels that step over a tip are refused, and chosen so that they do not") {
   const std::vector<std::string> thin{"body.shape=ellipse", "body.across=0.01"};
   CHECK_THAT(refused(cylinder, {thin[0], thin[1], "body.panels=128"}),
-             Contains("step over the body's tips of radius 0.0002; at least 835 see them"));
+             Contains("step over the body's tips of radius 0.0002; at least 132 see them, 394 "
+                      "resolve them"));
   CHECK_NOTHROW(parse(cylinder, {thin[0], thin[1], "body.panels=1000"}));
   CHECK_THAT(refused(cylinder, {thin[0], "body.across=1e-4"}),
              StartsWith("command line: ") || Contains("tips of radius 2e-08"));
-  CHECK(parse(cylinder, {thin[0], "body.across=0.05"}).body->panels >= 2.03 / (0.7 * 0.005));
-  CHECK(parse(cylinder, {thin[0], "body.across=5"}).body->panels >= 20 / (0.7 * 0.05));
+  CHECK(parse(cylinder, thin).body->panels >= 393);
   CHECK(parse(cylinder, {thin[0], "body.across=0.4"}).body->panels == parse(cylinder).body->panels);
 }
 

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "body/some_bodies.hpp"
+#include "flow/case.hpp"
 #include "sph/method.hpp"
 #include "sph/solver.hpp"
 
@@ -64,6 +65,7 @@ struct SphScene {
 
   /// Fills in what is not written, and refuses what cannot be meant.
   SphScene& choose() {
+    flow::complete_meetings(of);
     method.choose(of, [&](std::string_view table, std::string_view key) {
       return written.contains(std::string(table) + "." + std::string(key));
     });

@@ -100,7 +100,7 @@ TEST_CASE("what panels miss of a body that turns falls fast as they are refined"
     const Wall wall(body::naca0012({0.2, 0}, 1, 0.01, 0.1), panels);
     const Turning turning(wall);
     double sum = 0;
-    for (const double gamma : turning.sheet) sum += gamma * wall.panel_length(0);
+    for (std::size_t i = 0; i < wall.panels(); ++i) sum += turning.sheet[i] * wall.panel_length(i);
     return std::abs(sum / turning.circulation - 1);
   };
   CHECK(circulation_off(800) < 1e-3);
