@@ -271,7 +271,7 @@ async function begin() {
   try {
     const page = new Page(await Data.open());
     window.vortree = forTests(page);
-    await page.goTo(page.data.live ? Infinity : 0);
+    await page.goTo(Infinity);  // an impulsive start shows little
     if (page.data.live) page.follow();
     return true;
   } catch (error) {
