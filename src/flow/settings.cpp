@@ -53,14 +53,14 @@ void refuse(const std::vector<ProbeSettings>& probes, double dt) {
 }
 
 std::vector<Key> keys(FlowSettings& flow) {
-  return {
-      key("nu", flow.nu, chosen({.low = 0, .words = "viscosity must be >= 0"}), "L^2/T",
-          "kinematic viscosity, written or by `flow.reynolds`"),
-      key("stream", flow.stream, anything, "L/T", "undisturbed velocity [u, v]"),
-      key("reynolds", flow.reynolds, positive, "",
-          "U D/nu, instead of `flow.nu`: U the speed of the stream or without one the greatest "
-          "of the plunge, D twice the body's radius or its chord; of a flow that fills the plane "
-          "its speed and wavelength")};
+  return {key("nu", flow.nu, chosen({.low = 0, .words = "viscosity must be >= 0"}), "L^2/T",
+              "kinematic viscosity, written or by `flow.reynolds`"),
+          key("stream", flow.stream, anything, "L/T", "undisturbed velocity [u, v]"),
+          key("reynolds", flow.reynolds, positive, "",
+              "U D/nu, instead of `flow.nu`: U the speed of the stream or without one the greatest "
+              "of the plunge or the motion up to `time.end`, D twice the body's radius or its "
+              "chord; of a "
+              "flow that fills the plane its speed and wavelength")};
 }
 
 std::vector<Key> keys(TimeSettings& time) {

@@ -57,6 +57,26 @@ void doubt_times(Warnings& list, const Case& of) {
                                fmt::join(beyond, ", "), comes));
 }
 
+/// Of a body that is still getting faster at the end, the run's length decides on its greatest
+/// speed.
+void doubt_speed(Warnings& list, const Case& of) {
+  if (!of.body || !of.motion || speed_of_stream(of) > 0) return;
+  const body::Course& course = of.motion->course;
+  const auto speed_at = [&](double t) {
+    const Vec2 v = course.at(t).velocity;
+    return std::sqrt(dot(v, v));
+  };
+  double before = 0;
+  for (const double t : course.times())
+    if (t < 0.99 * of.time.end) before = std::max(before, speed_at(t));
+  const double last = course.times().empty() ? 0 : speed_at(of.time.end);
+  if (last > 1.01 * before)
+    list.push_back(fmt::format(
+        "[motion]: the body is fastest at time.end = {:.9g}, and still gains speed: with another "
+        "end U, by which flow.reynolds, T and forces are told, would be another than {:.3g}",
+        of.time.end, last));
+}
+
 /// The rectangle that body and initial vorticity fill, along the way that the stream takes them.
 std::array<double, 4> place_of_flow(const Case& of) {
   std::array<double, 4> all{INFINITY, INFINITY, -INFINITY, -INFINITY};
@@ -105,6 +125,7 @@ Warnings warnings(const Case& of) {
   for (const body::BodySettings& one : every_body(of))
     std::ranges::move(body::told_of(one), std::back_inserter(list));
   doubt_times(list, of);
+  doubt_speed(list, of);
   doubt_output(list, of);
   return list;
 }

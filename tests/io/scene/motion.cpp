@@ -1,5 +1,6 @@
 #include "io/scene/motion.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -7,6 +8,8 @@
 #include <numbers>
 
 #include "base/keys.hpp"
+#include "body/some_bodies.hpp"
+#include "flow/warnings.hpp"
 #include "scenes.hpp"
 
 using namespace vortree;
@@ -119,4 +122,22 @@ TEST_CASE("a motion says each thing once, and something") {
   CHECK_THAT(motion("x = \"t\"\nfile = \"m.csv\"\n"), Contains("not both"));
   CHECK_THAT(motion("file = \"none_such.csv\"\n"), Contains("none_such.csv"));
   CHECK_THAT(motion("x = \"t +\"\n"), Contains("ring.toml:20: motion.x is \"t +\""));
+}
+
+TEST_CASE("of a body that still gains speed at the end the run's length is said to decide on U") {
+  const auto doubts = [](const std::string& x, const std::string& stream = "") {
+    flow::Case scene;
+    scene.body = circle(0.5);
+    scene.time = {.dt = 0.1, .end = 2};
+    if (!stream.empty()) scene.flow.stream = {1, 0};
+    scene.motion = body::MotionSettings{.x = x};
+    io::complete_motion(*scene.motion, scene.time.end, ".");
+    return std::ranges::count_if(flow::warnings(scene), [](const std::string& one) {
+      return one.find("would be another than 4") != std::string::npos;
+    });
+  };
+  CHECK(doubts("t^2") == 1);
+  CHECK(doubts("t^2", "in a stream") == 0);
+  CHECK(doubts("4*t") == 0);
+  CHECK(doubts("2*sin(2*t)") == 0);
 }
