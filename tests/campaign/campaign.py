@@ -44,7 +44,7 @@ def main():
     words.add_argument("--no-plain", action="store_true")
     words.add_argument("--verbose", action="store_true")
     # In memory: the disk is not what is tried.
-    words.add_argument("--where", default="/dev/shm" if os.path.isdir("/dev/shm") else None)
+    words.add_argument("--where", default="/dev/shm" if os.access("/dev/shm", os.W_OK) else None)
     asked = words.parse_args()
     with tempfile.TemporaryDirectory(prefix="vortree-campaign-", dir=asked.where) as folder:
         campaign = Campaign(asked.program.resolve(), Path(folder), not asked.no_plain)

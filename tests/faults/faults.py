@@ -42,7 +42,7 @@ def main():
     words.add_argument("--all", action="store_true")
     words.add_argument("--only", default="")
     # In memory: what is tried is the order of calls, not the disk, which would be waited for.
-    words.add_argument("--where", default="/dev/shm" if os.path.isdir("/dev/shm") else None)
+    words.add_argument("--where", default="/dev/shm" if os.access("/dev/shm", os.W_OK) else None)
     asked = words.parse_args()
     with tempfile.TemporaryDirectory(prefix="vortree-faults-", dir=asked.where) as folder:
         os.chmod(folder, 0o777)
