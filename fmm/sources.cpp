@@ -57,8 +57,12 @@ void check_cores(std::span<const double> sigma, const Bounds& bounds, std::size_
   }
 }
 
+/// Under cores that are so many times as wide no two blobs are too near to each other.
+constexpr double wide_enough = 1e20;
+
 void check_distances(const Sources& sources, const SourceBounds& bounds, const Units& units) {
   const double limit = Units::least_length / units.per_length;
+  if (!sources.sigma.empty() && bounds.sigma.low >= wide_enough * limit) return;
   const double least = std::min(bounds.x.least_magnitude, bounds.y.least_magnitude);
   const auto near = find_close_pair(sources.x, sources.y, least, limit);
   if (!near) return;

@@ -37,8 +37,8 @@ enum class Cores { source, mean };
 
 /// throws  std::invalid_argument naming what differs in length, or the first value that cannot be
 ///         summed, with its index: not finite; (sigma) negative; of blobs also a coordinate beyond
-///         1e307, two places nearer than 6e-67 of the extent of all, or a core of more than 1e60
-///         extents that would count
+///         1e307, two places nearer than 6e-67 of the extent of all, unless all have cores 1e20
+///         times as wide, or a core of more than 1e60 extents that would count
 /// returns the units of the blobs
 Units check(const Sources& sources);
 Units check(const Sources& sources, const SourceBounds& bounds);

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -109,4 +110,46 @@ TEST_CASE(
     CHECK(u[0] == Approx(-6 / (2 * std::numbers::pi) * 0.8 / 5e300).epsilon(1e-14));
     CHECK(v[0] == Approx(6 / (2 * std::numbers::pi) * 0.6 / 5e300).epsilon(1e-14));
   }
+}
+
+TEST_CASE("under wide cores blobs may be as near to each other as they like") {
+  // Two of a cloud so near at the x axis, against the same two in one place.
+  std::vector<double> x, y, gamma, sigma;
+  for (int i = 0; i < 400; ++i) {
+    x.push_back(std::sin(1.0 + 37 * i));
+    y.push_back(std::cos(2.0 + 53 * i));
+    gamma.push_back(i % 3 - 0.9);
+    sigma.push_back(0.05 + 0.001 * (i % 7));
+  }
+  x[17] = x[250] = 0.3, y[17] = y[250] = 0;
+  using Sums = std::vector<std::vector<double>>;
+  const auto sums = [&](double apart, fmm::SumMethod method, double tolerance) {
+    std::vector<double> shifted = y;
+    shifted[250] = apart;
+    const fmm::Plan plan({x, shifted, gamma, sigma}, {.tolerance = tolerance, .method = method});
+    Sums all(7, std::vector<double>(x.size()));
+    plan.velocity(all[0], all[1]);
+    plan.velocity_and_gradient(all[0], all[1], all[2], all[3], all[4]);
+    plan.stream_function(fmm::Targets{x, shifted, {}}, all[5]);
+    if (method != fmm::SumMethod::direct)  // which knows of no cores then
+      plan.velocity_bare({std::span(x).first(16), std::span(y).first(16)},
+                         std::span(all[6]).first(16), std::span(all[6]).subspan(16, 16));
+    return all;
+  };
+  for (const fmm::SumMethod method :
+       {fmm::SumMethod::fmm, fmm::SumMethod::boxes, fmm::SumMethod::direct})
+    for (const double tolerance : {1e-3, 1e-6, 1e-12}) {
+      const Sums in_one_place = sums(0, method, tolerance);
+      for (const double apart : {1e-60, 2e-69, 1e-100, 1e-160, 1e-290}) {
+        const Sums found = sums(apart, method, tolerance);
+        double off = 0;
+        for (std::size_t k = 0; k < found.size(); ++k)
+          for (std::size_t i = 0; i < x.size(); ++i)
+            if (!(std::abs(found[k][i] - in_one_place[k][i]) <= off))
+              off = std::abs(found[k][i] - in_one_place[k][i]);
+        CAPTURE(static_cast<int>(method), tolerance, apart);
+        // What moves is round-off, of sums of a hundred at most.
+        CHECK(off < 1e-4 * tolerance + 1e-11);
+      }
+    }
 }
