@@ -1,8 +1,8 @@
 """A movie of the blobs or particles, from the frames of a run."""
 
 import numpy as np
-from _movie_file import Refused
 from _movie_shown import LEAST, Units, count, even_colours
+from _replaced import Refused
 from _style import Broken
 from _vorticity import rounded, two_signs
 

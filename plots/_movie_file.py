@@ -4,13 +4,11 @@ import shutil
 import subprocess
 import tempfile
 
+from _replaced import Refused
+
 SECONDS, LARGEST = 5, 3e6  # of a small one, as a page can carry; bytes
 RATE, HEIGHTS = 12, (400, 320, 256, 200, 144)  # pictures a second; the first that is not too large
 BT709 = ("-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709")
-
-
-class Refused(Exception):
-    """What was asked for cannot be done with what is there; the message is one line."""
 
 
 class Ffmpeg:

@@ -1,11 +1,11 @@
 """A movie of a value in the plane, from the pictures of a run, and the streamlines upon it."""
 
 import numpy as np
-from _movie_file import Refused
 from _movie_shown import LEAST, Units, count, even_colours
 from _outline import circles, discs, is_circle, walls, within
 from _panels import window
 from _pressure import around_bodies, look, rounded_end
+from _replaced import Refused
 from _streamlines import OUTSIDE, gone_on
 from _style import INK, Nothing
 from _vorticity import gone_inside, in_units, picture, rounded, scale, two_signs

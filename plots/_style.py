@@ -1,6 +1,5 @@
 """What the figures share: a look, and a way to read the folder that a run leaves."""
 
-import os
 import sys
 import tomllib
 from collections.abc import Sequence
@@ -11,6 +10,7 @@ from pathlib import Path
 
 import matplotlib
 import numpy as np
+from _replaced import Refused, printable, refuse, replaced
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
@@ -43,7 +43,7 @@ class Broken(Exception):
 
 
 class Nothing(Exception):
-    """The folder lacks what the figure shows."""
+    """The folder lacks what the figure shows; the message, if any, says which file."""
 
 
 def read_csv(path):
@@ -89,7 +89,7 @@ class Run:
     def file(self, name):
         path = self.folder / name
         if not path.exists():
-            raise Nothing
+            raise Nothing(f"{path}: no such file; a run leaves it")
         return path
 
     def hdf5(self, name):
@@ -104,7 +104,7 @@ class Run:
     def report(self):
         table = read_csv(self.file("report.csv"))
         if table["t"].size == 0:
-            raise Nothing
+            raise Nothing(f"{table.path}: no row yet")
         return table
 
     @cached_property
@@ -353,25 +353,6 @@ def note(axes, text, x=0.985, y=0.94, **more):
     axes.text(x, y, text, transform=axes.transAxes, **{**style, **more})
 
 
-def printable(path):
-    return os.fsencode(path).decode(errors="backslashreplace")
-
-
-@contextmanager
-def replaced(path):
-    """A name to write under. What is written becomes the file in the end, the old one or the new one
-    whatever happens; only a file is replaced, a link is followed."""
-    place = path.resolve()
-    if place.exists() and not place.is_file():
-        sys.exit(f"{path} is no file, and is not replaced")
-    part = place.with_name(place.name + ".vortree.part")
-    try:
-        yield part
-        part.replace(place)
-    finally:
-        part.unlink(missing_ok=True)
-
-
 FORMATS = ("png", "pdf", "svg")
 # Fields, and what has so many parts that as lines it would fill megabytes, are pictures of 300 dots
 # an inch on a page of vectors.
@@ -419,4 +400,6 @@ def main(name, draw):
             return
         except Broken as error:
             sys.exit(str(error))
+        except Refused as error:
+            refuse(error)
         print(printable(path))

@@ -1,11 +1,13 @@
 """The same page over loopback, of a run that may still go on."""
 
+import errno
 import json
 import signal
 import threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
-from _style import Broken, Nothing, Run, printable
+from _replaced import Refused, printable
+from _style import Broken, Nothing, Run
 from _view_frames import Frames, packed
 from _view_page import PARTS, about, inside, served, title_of
 
@@ -69,7 +71,8 @@ class Answer(BaseHTTPRequestHandler):
         try:
             found = self._found(self.path)
         except LOST as error:
-            words = str(error) or "no frame of the run yet"
+            lacking = isinstance(error, Nothing) or not str(error)
+            words = "no frame of the run yet" if lacking else str(error)
             return self._send(503, words.encode(errors="replace"), "text/plain")
         return self._send(200, *found) if found else self._send(404, b"not here", "text/plain")
 
@@ -105,10 +108,18 @@ class Server(ThreadingHTTPServer):
         pass
 
 
+def server_at(port):
+    try:
+        return Server(("127.0.0.1", port), Answer)
+    except OSError as error:
+        why = "is in use" if error.errno == errno.EADDRINUSE else f"cannot serve: {error.strerror}"
+        raise Refused(f"port {port} {why}") from None
+
+
 def serve(folder, port):
     """Until it is interrupted."""
     follower = Follower(folder)
-    with Server(("127.0.0.1", port), Answer) as server:
+    with server_at(port) as server:
         server.follower, port = follower, server.server_address[1]
         server.own_names = {f"127.0.0.1:{port}", f"localhost:{port}"}
         signal.signal(signal.SIGTERM, signal.default_int_handler)

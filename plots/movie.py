@@ -10,10 +10,11 @@ import time
 from pathlib import Path
 
 from _movie_blobs import Blobs
-from _movie_file import Ffmpeg, Refused, small_suffix, write, write_small
+from _movie_file import Ffmpeg, small_suffix, write, write_small
 from _movie_page import Page
 from _movie_plane import Pressure, Speed, Vorticity
-from _style import Broken, Nothing, Run, printable, replaced
+from _replaced import Refused, printable, refuse, replaced, told
+from _style import Broken, Nothing, Run
 
 SHOWN = {"vorticity": Vorticity, "speed": Speed, "pressure": Pressure, "blobs": Blobs}
 
@@ -54,21 +55,16 @@ def size(path):
     return f"{path.stat().st_size / 1e6:.2f} MB"
 
 
-def refuse(words):
-    print(str(words).encode(errors="surrogateescape").decode(errors="backslashreplace"),
-          file=sys.stderr)
-    sys.exit(2)
-
-
 def main():
+    job = asked()
     try:
-        make(asked())
+        make(job)
     except (Refused, Broken) as error:
         refuse(error)
-    except Nothing:
-        refuse("a file of the run is missing")
+    except Nothing as error:
+        refuse(str(error) or f"{job.folder}: nothing to show")
     except OSError as error:
-        sys.exit(str(error) or type(error).__name__)
+        sys.exit(told(error))
 
 
 main()

@@ -9,17 +9,14 @@ import sys
 from pathlib import Path
 
 from _movie_shown import count
-from _style import Broken, Nothing, Run, printable, replaced
+from _replaced import Refused, printable, refuse, replaced, told
+from _style import Broken, Nothing, Run
 from _view_frames import Frames, packed
 from _view_live import serve
 from _view_page import about, in_one_file
 
 LARGEST = 60e6  # bytes of a page; of a run that makes more, every second frame is left out, ...
 EACH = 14  # bytes of a blob in it, or less; of a particle twice that
-
-
-class Refused(Exception):
-    """What was asked for cannot be done with what is there; the message is one line."""
 
 
 def asked():
@@ -66,22 +63,17 @@ def ordinal(n):
     return f"{n}{ending}"
 
 
-def refuse(words):
-    print(str(words).encode(errors="surrogateescape").decode(errors="backslashreplace"),
-          file=sys.stderr)
-    sys.exit(2)
-
-
 def main():
     job = asked()
+    speaker = "vortree: " if job.live else ""  # else the program says what it hears
     try:
         serve(job.folder, job.port) if job.live else make(job.folder, job.out)
     except (Refused, Broken) as error:
-        refuse(error)
-    except Nothing:
-        refuse("a file of the run is missing")
+        refuse(f"{speaker}{error}")
+    except Nothing as error:
+        refuse(speaker + (str(error) or f"{job.folder}: nothing to show"))
     except OSError as error:
-        sys.exit(str(error) or type(error).__name__)
+        sys.exit(speaker + told(error))
 
 
 if __name__ == "__main__":

@@ -65,6 +65,8 @@ for script in scripts:
         with contextlib.redirect_stdout(told):
             runpy.run_path(script, run_name="__main__")
     except SystemExit as end:
+        if end.code == 2:
+            raise
         if end.code:
             sys.exit(f"{script}: {end.code}")
     except Exception as error:
@@ -126,6 +128,12 @@ Outcome run_python(std::vector<std::string> words, const Heard& heard = {}) {
   return outcome;
 }
 
+void throw_failed(int status, const std::string& errors) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == refused_input)
+    throw io::InputError(last_line(errors));
+  if (status != 0) throw std::runtime_error(last_line(errors));
+}
+
 }  // namespace
 
 const std::vector<std::string>& figure_formats() {
@@ -144,16 +152,14 @@ bool plot(const fs::path& folder, std::string_view kind, std::span<const std::st
   for (const fs::path& script : scripts) words.push_back(script.string());
   const auto [status, errors] = run_python(std::move(words));
   if (WIFEXITED(status) && WEXITSTATUS(status) == nothing_drawn) return false;
-  if (status != 0) throw std::runtime_error(last_line(errors));
+  throw_failed(status, errors);
   return true;
 }
 
 std::string run_script(const fs::path& script, std::vector<std::string> words, const Heard& heard) {
   words.insert(words.begin(), script.string());
   const auto [status, errors] = run_python(std::move(words), heard);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == refused_input)
-    throw io::InputError(last_line(errors));
-  if (status != 0) throw std::runtime_error(last_line(errors));
+  throw_failed(status, errors);
   return last_line(errors);
 }
 

@@ -22,8 +22,9 @@ const std::vector<std::string>& figure_formats();
 /// kind     only scripts whose names begin with it: "neighbors", "trees", "velocity"
 /// formats  of figure_formats(); none: png
 /// returns  whether there was anything to draw
-/// throws   io::InputError if there is no such folder; std::runtime_error that names the script
-///          and says why, if one fails
+/// throws   io::InputError if there is no such folder, or a figure cannot stand there: no right to
+///          write, something of that name that is no file, a link to a file of another suffix;
+///          std::runtime_error that names the script and says why, if one fails
 bool plot(const std::filesystem::path& folder, std::string_view kind = {},
           std::span<const std::string> formats = {});
 

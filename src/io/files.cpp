@@ -54,6 +54,10 @@ fs::path target_of(const fs::path& path) {
   refuse(path, "is a link that leads to itself");
 }
 
+bool keeps_suffix(const fs::path& path) {
+  return target_of(path).extension() == path.extension();
+}
+
 void require_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);

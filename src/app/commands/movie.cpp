@@ -6,24 +6,13 @@
 #include <vector>
 
 #include "app/folder/older_run.hpp"
+#include "app/folder/shown_place.hpp"
 #include "app/install_paths.hpp"
 #include "app/loop/progress.hpp"
 #include "app/plot.hpp"
-#include "io/input_error.hpp"
 
 namespace vortree::app {
 namespace {
-
-namespace fs = std::filesystem;
-
-void require_place(const fs::path& out) {
-  std::error_code error;
-  if (out.extension() != ".mp4")
-    throw io::InputError(fmt::format("--out {}: expected a name that ends in .mp4", out.string()));
-  if (const fs::path folder = out.parent_path();
-      !folder.empty() && !fs::is_directory(folder, error))
-    throw io::InputError(fmt::format("--out {}: no such folder", out.string()));
-}
 
 std::vector<std::string> words_of(const MovieJob& job) {
   std::vector<std::string> words{"--out=" + job.out.string(), "--what=" + job.what,
@@ -39,7 +28,7 @@ std::vector<std::string> words_of(const MovieJob& job) {
 std::string movie(MovieJob job) {
   require_frames(job.folder);
   if (job.out.empty()) job.out = job.folder / "movie.mp4";
-  require_place(job.out);
+  require_shown_place(job.out, ".mp4", job.folder);
   ProgressLine progress;
   const std::string made =
       run_script(movie_script(), words_of(job), [&progress](std::string_view line) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/folder/older_run.hpp"
+#include "app/folder/shown_place.hpp"
 #include "app/install_paths.hpp"
 #include "app/loop/progress.hpp"
 #include "app/plot.hpp"
@@ -18,16 +19,12 @@ namespace fs = std::filesystem;
 
 /// The page of a run is its own to replace, as its figures are.
 void require_place(const ViewJob& job) {
+  require_shown_place(job.out, ".html", job.folder);
   std::error_code error;
-  const std::string name = job.out.string();
-  if (job.out.extension() != ".html")
-    throw io::InputError(fmt::format("--out {}: expected a name that ends in .html", name));
-  if (const fs::path folder = job.out.parent_path();
-      !folder.empty() && !fs::is_directory(folder, error))
-    throw io::InputError(fmt::format("--out {}: no such folder", name));
   const bool of_run = job.out == job.folder / "view.html";
   if (!job.overwrite && !of_run && fs::exists(fs::symlink_status(job.out, error)))
-    throw io::InputError(fmt::format("{} is there already: --overwrite replaces it", name));
+    throw io::InputError(
+        fmt::format("{} is there already: --overwrite replaces it", job.out.string()));
 }
 
 }  // namespace

@@ -63,6 +63,11 @@ bool probed_later(const fs::path& table) {
   return false;
 }
 
+/// A figure, a page or a video; not what a link of its name leads to, if that is of another kind.
+void remove_shown(const fs::path& file) {
+  if (io::keeps_suffix(file)) io::remove_file(file);
+}
+
 bool is_picture_of_start(const fs::path& folder) {
   try {
     return io::field_times(folder) == std::vector{0.0};
@@ -134,16 +139,17 @@ void remove_older_figures(const fs::path& folder, std::string_view kind) {
   for (const fs::path& script : plot_scripts(kind))
     for (const std::string& format : figure_formats()) {
       const fs::path figure = (folder / script.stem()).concat("." + format);
-      if (fs::is_regular_file(figure)) io::remove_file(figure);
+      if (fs::is_regular_file(figure)) remove_shown(figure);
     }
 }
 
 void remove_older_tables_and_pictures(const fs::path& folder) {
   for (const char* name : tables) io::remove_file(folder / name);
-  for (const char* name :
-       {"probes.csv", "fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5", "lyapunov.xdmf",
-        "movie.mp4", "movie.webp", "movie.gif", "view.html", "failed.txt"})
+  for (const char* name : {"probes.csv", "fields.h5", "fields.xdmf", "outline.csv", "lyapunov.h5",
+                           "lyapunov.xdmf", "failed.txt"})
     io::remove_file(folder / name);
+  for (const char* name : {"movie.mp4", "movie.webp", "movie.gif", "view.html"})
+    remove_shown(folder / name);
   remove_older_figures(folder);
 }
 

@@ -67,3 +67,31 @@ TEST_CASE("a run's figures as PDF and SVG are what they say, and the same bytes 
   CHECK(call("run vortex.toml --out other --as pdf --overwrite", folder).code == 0);
   CHECK(text_of(folder / "other/tree.pdf") == pdf);
 }
+
+TEST_CASE("a figure takes the place of a figure alone, and two may draw it at once") {
+  const TemporaryFolder folder;
+  {
+    const NoFigures quick(folder);
+    folder.write("vortex.toml", lone_vortex);
+    REQUIRE(call("run vortex.toml --out run", folder).code == 0);
+  }
+  const std::string plot = "'" VORTREE_PROGRAM "' plot run";
+  CHECK(shell(plot + " & one=$!; " + plot + " && wait $one", folder).code == 0);
+  for (const auto& entry : fs::directory_iterator(folder / "run"))
+    CHECK(entry.path().extension() != ".part");
+  const std::string frames = text_of(folder / "run/frames.h5");
+  const auto refused = [&](const std::string& words) {
+    const auto outcome = call("plot run", folder);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.error_lines() == 1);
+    CHECK(outcome.err.find(words) != std::string::npos);
+    CHECK((text_of(folder / "run/frames.h5") == frames));
+    fs::remove(folder / "run/tree.png");
+  };
+  fs::remove(folder / "run/tree.png");
+  fs::create_symlink("frames.h5", folder / "run/tree.png");
+  refused("run/tree.png is a link to ");
+  fs::create_directory(folder / "run/tree.png");
+  refused("run/tree.png is no file, and is not replaced");
+}

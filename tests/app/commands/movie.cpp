@@ -177,6 +177,27 @@ TEST_CASE("without ffmpeg one line says which package is missing; one that break
   CHECK(!left_parts(folder / "r"));
 }
 
+TEST_CASE("a movie is refused where a link leads to the frames, of whatever run") {
+  const TemporaryFolder folder;
+  run(circle, folder);
+  const std::string frames = text_of(folder / "r/frames.h5");
+  fs::copy(folder / "r", folder / "copy");
+  fs::create_symlink("r/frames.h5", folder / "link.mp4");
+  for (const std::string of : {"r", "copy"}) {
+    const Outcome refused = call("movie " + of + " --out link.mp4", folder);
+    CAPTURE(of, refused.err);
+    CHECK(refused.code == 2);
+    CHECK(refused.err.find("the output would destroy it") != std::string::npos);
+  }
+  if (has_ffmpeg(folder)) {  // nor the small one beside it
+    for (const char* small : {"m.webp", "m.gif"}) fs::create_symlink("r/frames.h5", folder / small);
+    const Outcome refused = call("movie r --out m.mp4", folder);
+    CHECK(refused.code == 2);
+    CHECK(refused.err.find("the output would destroy it") != std::string::npos);
+  }
+  CHECK((text_of(folder / "r/frames.h5") == frames));
+}
+
 TEST_CASE("an older movie goes with the run that it shows, and is no figure") {
   const TemporaryFolder folder;
   run(circle, folder);

@@ -97,3 +97,58 @@ TEST_CASE("a page goes with the run that it shows, and is no figure") {
   CHECK(!fs::exists(folder / "r/view.html"));
   CHECK(call("plot r", folder).out.find("view") == std::string::npos);
 }
+
+TEST_CASE("a page never takes the place of what a link of its name leads to, but another page") {
+  const TemporaryFolder folder;
+  run(folder);
+  const std::string frames = text_of(folder / "r/frames.h5");
+  const auto refused = [&](const std::string& arguments, const std::string& words) {
+    const Outcome outcome = call(arguments, folder);
+    CAPTURE(arguments, outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.error_lines() == 1);
+    CHECK(outcome.err.find(words) != std::string::npos);
+    CHECK((text_of(folder / "r/frames.h5") == frames));
+  };
+  fs::create_symlink("r/frames.h5", folder / "link.html");
+  refused("view r --out link.html --overwrite", "is the input r/frames.h5; the output would");
+  fs::copy(folder / "r", folder / "copy");
+  refused("view copy --out link.html --overwrite", "which is no .html file; the output would");
+  fs::create_symlink("frames.h5", folder / "r/view.html");
+  refused("view r", "is the input r/frames.h5; the output would destroy it");
+  {
+    // a run anew removes its older page, and no other run's frames
+    fs::create_symlink("../r/frames.h5", folder / "copy/view.html");
+    const NoFigures quick(folder);
+    CHECK(call("run scene.toml --out copy --overwrite", folder).code == 0);
+    CHECK((text_of(folder / "r/frames.h5") == frames));
+  }
+  fs::create_symlink(folder.write("page.html", "an older one"), folder / "page_too.html");
+  CHECK(call("view r --out page_too.html --overwrite", folder).code == 0);
+  CHECK(fs::is_symlink(folder / "page_too.html"));
+  CHECK(text_of(folder / "page.html").starts_with("<!DOCTYPE html>"));
+}
+
+TEST_CASE("what keeps a page from being made is said with the file or the port") {
+  const TemporaryFolder folder;
+  run(folder);
+  const auto refusal = [&](const std::string& line) {
+    const Outcome refused = shell(line, folder);
+    CAPTURE(line, refused.err);
+    CHECK(refused.code == 2);
+    CHECK(refused.error_lines() == 1);
+    CHECK(refused.err.starts_with("vortree: "));
+    return refused.err;
+  };
+  const std::string vortree = "'" VORTREE_PROGRAM "' ";
+  using Catch::Contains;
+  CHECK_THAT(refusal(vortree + "view r --out /proc/page.html"), Contains("/proc/page.html cannot"));
+  CHECK_THAT(
+      refusal("/usr/bin/python3 -c 'import socket, subprocess, sys; s = socket.socket();"
+              "s.bind((\"127.0.0.1\", 0)); s.listen(); sys.exit(subprocess.call([sys.argv[1],"
+              "\"view\", \"r\", \"--live\", f\"--port={s.getsockname()[1]}\"]))' " +
+              vortree),
+      Contains("port ") && Contains(" is in use"));
+  fs::remove(folder / "r/report.csv");
+  CHECK_THAT(refusal(vortree + "view r"), Contains("r/report.csv: no such file"));
+}
