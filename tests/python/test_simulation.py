@@ -199,6 +199,28 @@ def test_an_older_file_stays_until_the_new_one_is_whole(tmp_path):
     assert vortree.Simulation.restore(tmp_path / "state.h5").steps == 1
 
 
+def test_what_is_no_saved_flow_is_not_replaced(tmp_path):
+    flow = vortree.Simulation("cylinder", **FEW)
+    (tmp_path / "notes.txt").write_text("mine\n")
+    run = vortree.run("cylinder", out=tmp_path / "run", **FEW)
+    short = vortree.run("cylinder", out=tmp_path / "short", accuracy=0.1,
+                        time={"end": 1e-3}, output={"frames": 1, "fields": []})
+    others = [tmp_path / "notes.txt", run.folder / "frames.h5", short.folder / "frames.h5"]
+    os.symlink(others[1], tmp_path / "link.h5")
+    for path in [*others, tmp_path / "link.h5"]:
+        before = path.read_bytes()
+        with pytest.raises(ValueError, match="no saved flow: save.. does not replace it") as error:
+            flow.save(path)
+        assert str(path) in str(error.value) and "\n" not in str(error.value)
+        assert path.read_bytes() == before
+    flow.save(tmp_path / "notes.h5")
+    flow.step()
+    flow.save(tmp_path / "notes.h5")
+    with pytest.raises(ValueError, match="without ::, and goes on from its last good frame"):
+        vortree.Simulation.restore(f"{run.folder}::last")
+    assert same(vortree.Simulation.restore(tmp_path / "notes.h5"), flow)
+
+
 def test_copies_and_pickles_are_refused_with_what_stands_for_them():
     flow = vortree.Simulation("cylinder", **FEW)
     for ask in (copy.copy, copy.deepcopy, pickle.dumps):

@@ -48,6 +48,25 @@ using Extras = std::map<std::string, NumpyReals>;
 /// How their names begin in a frame, where no other does so.
 const std::string extra = "python ";
 
+/// Which tells the frame of a saved flow from that of a run.
+const std::string saved_mark = "saved alone";
+
+bool is_saved_flow(const std::string& file) {
+  try {
+    const io::RecoveredFrames found = io::read_last_good(file);
+    return found.steps.size() == 1 && found.last->state.contains(saved_mark);
+  } catch (const io::InputError&) {
+    return false;
+  }
+}
+
+/// throws  io::InputError if there is a file of that name that save() has not written
+void require_saved_or_free(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error) || is_saved_flow(file)) return;
+  throw io::InputError(file + " is there already and is no saved flow: save() does not replace it");
+}
+
 /// A flow that is moved step by step, as `vortree run` moves it, but that nothing is written. Of
 /// several threads of Python that ask each waits for its turn.
 class SteppedFlow {
@@ -92,10 +111,12 @@ class SteppedFlow {
   }
 
   /// Writes the flow as it is, and the columns, into a frames file of one frame.
+  /// throws  io::InputError if a file is there that is no such one
   void save(const std::string& file, const Extras& extras) {
     std::map<std::string, std::span<const double>> columns;
     for (const auto& [name, values] : extras) columns[name] = values_of(values);
     alone(1, [&] {
+      require_saved_or_free(file);
       io::Frame frame{solver_->steps(), solver_->time(), solver_->columns(), {}};
       if (const auto bad = flow::not_finite(frame.columns, solver_->particle()); !bad.empty())
         throw flow::Diverged(bad);
@@ -106,6 +127,7 @@ class SteppedFlow {
       flow::save_courses(scene_, frame.time, frame.state);
       for (const auto& [name, values] : columns)
         frame.state[extra + name].assign(values.begin(), values.end());
+      frame.state[saved_mark] = {1};
       io::write_frames(file, info_, frame);
       return 0;
     });

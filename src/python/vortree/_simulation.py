@@ -175,6 +175,7 @@ class Simulation:
         """
         flow = cls.__new__(cls)
         flow._threads = thread_count(threads)
+        _require_whole(path)
         file = Path(path) / "frames.h5" if Path(path).is_dir() else Path(path)
         flow._flow = _compiled().restored(os.fspath(file), _words(keys), flow._threads)
         flow.probes = _probes_of(flow._flow.extras())
@@ -184,13 +185,14 @@ class Simulation:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the flow as it is, and its probes, into one HDF5 file, for restore() to go on.
 
-        An older file is replaced at once when all is written. It is laid out as the frames.h5 of a
-        run with one frame, so that `vortree velocity FILE::last` reads it, too.
+        An older saved flow is replaced at once when all is written; no other file is. It is laid
+        out as the frames.h5 of a run with one frame, so that `vortree velocity FILE::last` reads
+        it, too.
 
         Raises
         ------
         ValueError
-            Where no file can be written there.
+            Where no file can be written there, or another is there that save() has not written.
         RuntimeError
             Where it could not be written, or a number of the flow is not finite.
         """
@@ -404,6 +406,13 @@ def _probes_of(columns: dict[str, Column]) -> list[Probe]:
         _, number, name = key.split(" ")
         found.setdefault(int(number), {})[name] = values
     return [Probe._restored(found[number]) for number in sorted(found)]
+
+
+def _require_whole(path: str | os.PathLike[str]) -> None:
+    """The program takes one frame of a file as FILE::12 or DIR::last; here there is no choice."""
+    if "::" in os.fspath(path) and not Path(path).exists():
+        raise ValueError(f"{os.fspath(path)}: restore() takes the folder of a run or a file, "
+                         "without ::, and goes on from its last good frame")
 
 
 def _find_scene(scene: str | os.PathLike[str]) -> Path:

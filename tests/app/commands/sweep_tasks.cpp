@@ -249,6 +249,75 @@ TEST_CASE("tasks of different lists, and runs of different scenes, do not come t
   refused("sweep parts", "is damaged");
 }
 
+TEST_CASE("a run that has gone beyond the end of its list is not of it, whatever it began with") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", lone_vortex);
+  const std::string words = "run vortex.toml cores.sigma_0=0.05,0.06 --out s --resume time.end=";
+  for (const char* task : {"1", "2"}) CHECK(call(words + "0.04 --only " + task, folder).code == 0);
+  CHECK(call(words + "0.08 --only 1", folder).code == 0);
+  CHECK(call(words + "0.04 --only 2", folder).code == 0);  // and the list ends there again
+  const bool ended = GENERATE(true, false);
+  if (!ended) fs::remove(folder / "s/cores.sigma_0=0.05/summary.json");
+  const auto mixed = call("sweep s", folder);
+  CAPTURE(ended, mixed.out, mixed.err);
+  CHECK(mixed.code == 2);
+  CHECK(mixed.err ==
+        "vortree: s/cores.sigma_0=0.05: the last frame is that of t = 0.08, which is beyond "
+        "time.end = 0.04 of its sweep: it does not belong to the others\n");
+  CHECK_FALSE(fs::exists(folder / "s/sweep.csv"));
+  for (const char* task : {"1", "2"}) CHECK(call(words + "0.08 --only " + task, folder).code == 0);
+  CHECK(call("sweep s", folder).code == 0);
+}
+
+TEST_CASE("what is said of another list helps") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", lone_vortex);
+  const std::string words = "run vortex.toml --out s cores.sigma_0=0.05,0.06";
+  REQUIRE(call(words + " --only 1", folder).code == 0);
+  for (const char* way : {"", " --overwrite", " --resume"}) {
+    const auto other = call(words + ",0.07 --only 3" + way, folder);
+    CAPTURE(way, other.err);
+    CHECK(other.code == 2);
+    CHECK(other.err ==
+          "vortree: s/sweep.json is the list of other runs: cores.sigma_0=0.05,0.06; --out DIR "
+          "leaves it alone; only a sweep without --only replaces it, with --overwrite\n");
+  }
+  const std::string stickier = words + " flow.nu=2e-3 --only 2";
+  CHECK_THAT(call(stickier, folder).err, Catch::Contains("; --overwrite replaces it, --out DIR"));
+  CHECK(call(stickier + " --overwrite", folder).code == 0);
+  CHECK_THAT(call("sweep s", folder).err, Catch::Contains("is a run of another [flow]"));
+  CHECK(call(words + ",0.07 --overwrite", folder).code == 0);
+}
+
+TEST_CASE("a table that is a link to what is no table of a sweep is refused") {
+  const TemporaryFolder folder;
+  const NoFigures quick(folder);
+  folder.write("vortex.toml", lone_vortex);
+  const std::string words = "run vortex.toml --out s cores.sigma_0=0.05,0.06";
+  for (const char* task : {" --only 1", " --only 2"}) REQUIRE(call(words + task, folder).code == 0);
+  folder.write("notes.txt", "mine");
+  for (const std::string to :
+       {"cores.sigma_0=0.05/frames.h5", "cores.sigma_0=0.05/report.csv", "../notes.txt"}) {
+    const std::string before = text_of(folder / "s" / to);
+    fs::create_symlink(to, folder / "s/sweep.csv");
+    for (const std::string& command : {std::string("sweep s"), words + " --overwrite"}) {
+      const auto refused = call(command, folder);
+      CAPTURE(command, refused.err);
+      CHECK(refused.code == 2);
+      CHECK(refused.error_lines() == 1);
+      CHECK(refused.err.starts_with("vortree: s/sweep.csv is a link to s/" + to));
+    }
+    CHECK(text_of(folder / "s" / to) == before);
+    fs::remove(folder / "s/sweep.csv");
+  }
+  folder.write("elsewhere.csv", "");
+  fs::create_symlink("../elsewhere.csv", folder / "s/sweep.csv");
+  CHECK(call("sweep s", folder).code == 0);
+  CHECK(text_of(folder / "elsewhere.csv").find("cores.sigma_0") != std::string::npos);
+}
+
 TEST_CASE("a task beyond the list has nothing to do; one that cannot be is refused") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);

@@ -31,12 +31,24 @@ void lacks(Member& m, Lack lack, std::string why) {
   m.failure = std::move(why);
 }
 
-/// The scene of a run that the list has, if it is not to the letter what the run began with.
+/// The scene that a run began with; none where files that it names are not on this machine.
+std::optional<io::Scene> begun_with(const io::RunInfo& info, const fs::path& file,
+                                    const fs::path& path) {
+  try {
+    return io::stored_scene(info, file, path, methods());
+  } catch (const io::InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// The scene of a run that the list has, in the steps that the run began with.
+/// returns none if that is to the letter what it began with, and cannot be read here
 /// throws  io::InputError if it would be another flow
-std::optional<io::Scene> changed_scene(const KeptPlan& kept, const Member& m, const fs::path& run) {
+std::optional<io::Scene> scene_asked(const KeptPlan& kept, const Member& m, const fs::path& run) {
   const fs::path file = run / "frames.h5";
   const io::RunInfo info = io::info_of_frames(file);
-  if (info.scene == kept.text && info.overrides == all_overrides(kept.plan, m)) return std::nullopt;
+  if (info.scene == kept.text && info.overrides == all_overrides(kept.plan, m))
+    return begun_with(info, file, kept.file);
   io::Scene now = scene_of(kept, m);
   const io::Scene was = scene_of_frames(file, now);
   if (now.origin.step_chosen) now.time.dt = was.time.dt;
@@ -45,6 +57,27 @@ std::optional<io::Scene> changed_scene(const KeptPlan& kept, const Member& m, co
   throw io::InputError(
       fmt::format("{}: is a run of another {} than its sweep has: it does not belong to the others",
                   run.string(), where));
+}
+
+/// The time of a run's last frame; 0 if it cannot be told.
+double last_time(const fs::path& run) {
+  try {
+    return io::label_of_frames(run / "frames.h5").last_time;
+  } catch (const io::InputError&) {
+    return 0;
+  }
+}
+
+/// A run may have gone on to a later end than its list has now, whatever it began with.
+/// throws  io::InputError if it has
+void hold_end(const io::Scene& scene, const fs::path& run) {
+  const double half_a_step = 0.5 * scene.time.dt;
+  const double end = Timetable(scene).time(Timetable(scene).last_step()), last = last_time(run);
+  if (last <= end + half_a_step) return;
+  throw io::InputError(
+      fmt::format("{}: the last frame is that of t = {:.9g}, which is beyond time.end = {:.9g} of "
+                  "its sweep: it does not belong to the others",
+                  run.string(), last, scene.time.end));
 }
 
 /// Where a run is that has not come to its end.
@@ -72,7 +105,8 @@ void read(const KeptPlan& kept, const fs::path& run, Member& m) {
   const auto failure = failure_in(run);
   if (!fs::exists(run / "frames.h5", error))
     return failure ? lacks(m, Lack::failed, *failure) : lacks(m, Lack::missing, "has not begun");
-  const auto scene = changed_scene(kept, m, run);
+  const auto scene = scene_asked(kept, m, run);
+  if (scene) hold_end(*scene, run);
   const auto result = result_in(run);
   if (result && (!scene || result->steps == Timetable(*scene).last_step())) {
     m.result = *result;
@@ -99,6 +133,7 @@ int gather(const fs::path& folder, std::span<const std::string> formats) {
   const OutputFolder shared(folder, OutputFolder::Use::shared);
   for (Member& m : members) read(kept, folder / folder_of(kept.plan, m), m);
   name_strangers(folder, kept, members);
+  require_own_table(folder / "sweep.csv");
   io::require_writable(folder / "sweep.csv", std::array{kept.file});
   write_csv(folder / "sweep.csv", kept.scene, kept.plan, members);
   return report(folder, kept.plan, members, formats);

@@ -13,8 +13,9 @@ namespace vortree::app {
 ///
 /// formats  of the figures; none: png
 /// returns  0 if all runs came to their ends and missed no check, else 1
-/// throws   io::InputError if no list is kept there, or a run in the folder of one of the list is
-///          of another scene; nothing is written then
+/// throws   io::InputError if no list is kept there, a run in the folder of one of the list is of
+///          another scene or beyond its end, or sweep.csv leads to another file; nothing is written
+///          then
 int gather(const std::filesystem::path& folder, std::span<const std::string> formats = {});
 
 }  // namespace vortree::app

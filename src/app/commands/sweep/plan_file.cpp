@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <optional>
-
 #include "app/install_paths.hpp"
 #include "app/json.hpp"
 #include "io/files.hpp"
@@ -61,14 +59,23 @@ bool same_flow(const KeptPlan& older, const KeptPlan& now) {
   return io::flow_difference(then, scene).empty();
 }
 
-/// Why a list may not take the place of another; none if it may.
-std::optional<std::string> refusal(const KeptPlan& older, const KeptPlan& now,
-                                   const RunOptions& options, bool alone) {
-  if (alone && (options.resume || options.overwrite)) return std::nullopt;
-  if (older.plan.axes != now.plan.axes) return "of other runs: " + words_of(older.plan);
-  if (options.overwrite || (options.resume && same_flow(older, now))) return std::nullopt;
-  if (older.plan.fixed != now.plan.fixed) return "of other runs: " + words_of(older.plan);
+/// Whether a list may take the place of another.
+bool may_replace(const KeptPlan& older, const KeptPlan& now, const RunOptions& options,
+                 bool alone) {
+  if (!alone && older.plan.axes != now.plan.axes) return false;
+  return options.overwrite || (options.resume && (alone || same_flow(older, now)));
+}
+
+std::string described(const KeptPlan& older, const KeptPlan& now) {
+  if (older.plan != now.plan) return "of other runs: " + words_of(older.plan);
   return fmt::format("of {} as it was before it was changed", older.file.string());
+}
+
+/// What can be done instead. Other tasks may be at work on the runs of another list.
+std::string ways_out(const KeptPlan& older, const KeptPlan& now, bool alone) {
+  if (alone || older.plan.axes == now.plan.axes)
+    return "--overwrite replaces it, --out DIR leaves it alone";
+  return "--out DIR leaves it alone; only a sweep without --only replaces it, with --overwrite";
 }
 
 }  // namespace
@@ -83,10 +90,9 @@ void keep_plan(const RunOptions& options, const SweepPlan& plan, bool alone) {
   if (io::write_new_text(file, page(now))) return;
   const KeptPlan older = kept_plan(options.out);
   if (older.plan == now.plan && older.text == now.text) return;
-  if (const auto why = refusal(older, now, options, alone))
-    throw io::InputError(
-        fmt::format("{} is the list {}; --overwrite replaces it, --out DIR leaves it alone",
-                    file.string(), *why));
+  if (!may_replace(older, now, options, alone))
+    throw io::InputError(fmt::format("{} is the list {}; {}", file.string(), described(older, now),
+                                     ways_out(older, now, alone)));
   io::write_text(file, page(now));
 }
 

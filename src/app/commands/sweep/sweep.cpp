@@ -137,6 +137,7 @@ int sweep(const RunOptions& options, const SweepPlan& plan, const std::optional<
   const OutputFolder folder(options.out,
                             alone ? OutputFolder::Use::alone : OutputFolder::Use::shared);
   const fs::path table = options.out / "sweep.csv";
+  if (alone) require_own_table(table);
   if (alone) io::require_writable(table, std::array{find_scene(options.scene)});
   if (!options.resume && !options.overwrite) refuse_older_sweep(options, plan, members, own, alone);
   keep_plan(options, plan, alone);

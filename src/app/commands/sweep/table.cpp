@@ -11,6 +11,7 @@
 
 #include "checks/convergence.hpp"
 #include "io/files.hpp"
+#include "io/input_error.hpp"
 #include "io/tables/table.hpp"
 #include "provenance/provenance.hpp"
 
@@ -177,6 +178,17 @@ std::string table(const SweepPlan& plan, std::span<const Member> members) {
     if (!fitted.empty()) rows.push_back(std::move(fitted));
   }
   return checks::text_table(headings, rows);
+}
+
+void require_own_table(const std::filesystem::path& file) {
+  const std::filesystem::path target = io::target_of(file);
+  std::error_code error;
+  if (target == file || !std::filesystem::exists(target, error)) return;
+  const bool of_a_run = std::filesystem::exists(io::folder_of(target) / "frames.h5", error);
+  if (of_a_run || target.extension() != file.extension())
+    throw io::InputError(fmt::format(
+        "{} is a link to {}, {}, which the table of a sweep would destroy", file.string(),
+        target.string(), of_a_run ? "in the folder of a run" : "a file of another kind"));
 }
 
 void write_csv(const std::filesystem::path& file, const std::string& scene, const SweepPlan& plan,

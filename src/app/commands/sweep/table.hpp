@@ -17,6 +17,10 @@ bool tells_the_same_flow(const SweepPlan& plan);
 /// was not reached, or has no order: between flows that differ there is none.
 std::string table(const SweepPlan& plan, std::span<const Member> members);
 
+/// throws  io::InputError if the table's name is a link to what is no table of a sweep: a file of
+///         another suffix, or one in the folder of a run
+void require_own_table(const std::filesystem::path& file);
+
 /// The same numbers as CSV, with where they come from: of runs on several machines each.
 ///
 /// scene  as the user named it
