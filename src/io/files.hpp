@@ -60,8 +60,8 @@ void require_writable(const std::filesystem::path&,
 /// Where links lead in the end, whether or not there is anything.
 [[nodiscard]] std::filesystem::path target_of(const std::filesystem::path&);
 
-/// Whether what stands there, by whatever links, is of the suffix of its name: a figure by a link is
-/// a figure, a table is none.
+/// Whether what stands there, by whatever links, is of the suffix of its name: a figure by a link
+/// is a figure, a table is none.
 [[nodiscard]] bool keeps_suffix(const std::filesystem::path&);
 
 /// The folder of a file; "." for a bare name.
