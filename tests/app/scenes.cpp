@@ -145,7 +145,7 @@ TEST_CASE("a run of a scene whose name is no UTF-8 has its figures") {
   const TemporaryFolder folder;
   const fs::path plots = fs::path(vortree::app::share_folder()) / "plots";
   fs::create_directory(folder / "plots");
-  for (const char* script : {"_phases.py", "_style.py", "cost.py"})
+  for (const char* script : {"_phases.py", "_replaced.py", "_style.py", "cost.py"})
     fs::copy_file(plots / script, folder.path() / "plots" / script);
   folder.write("caf\xe9.toml", text_of(plots / "../cases/lamb_oseen.toml"));
   setenv("VORTREE_SHARE", folder.path().c_str(), 1);
