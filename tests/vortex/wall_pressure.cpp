@@ -273,7 +273,7 @@ TEST_CASE("after a sudden start the front has what the flow along the axis keeps
   vortex::VortexSolver solver(beside(body::circle({}, R), {}, {1, 0}, nu, dt, 200));
   // Places on the axis, as close to the wall as its layer asks for: x = -R - far xi^3.
   constexpr int n = 240;
-  const double far = 20, aside = 0.01;
+  const double far = 20, aside = 0.05;  // over which omega is straight to 0.2 %
   std::vector<double> x, y(n + 1), weight;
   for (int k = 0; k <= n; ++k) {
     const double xi = static_cast<double>(k) / n;
@@ -302,8 +302,9 @@ TEST_CASE("after a sudden start the front has what the flow along the axis keeps
     go(solver, steps + span);
     const double changes = 2 * (kept() - before) / (2 * span * dt);
     CAPTURE(t, cp, changes, rubs);
-    // The integral is a thousandth off from merger to merger, which makes 0.01 of its rate.
-    CHECK(cp == Approx(1 + changes + rubs).margin(0.01));
+    // The integral is a thousandth off from merger to merger, which makes 0.01 of its rate; and
+    // round-off of another instruction set, which merges others, was seen to make 0.018.
+    CHECK(cp == Approx(1 + changes + rubs).margin(0.03));
     CHECK(changes > rubs);  // the layers and the wake grow
     // A layer like Hiemenz' before a circle wider by what it displaces (Homann 1936), but for the
     // next order, 1/sqrt(Re_R) = 0.14.
