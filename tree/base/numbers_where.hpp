@@ -3,8 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "tree/base/memory.hpp"
 #include "tree/base/parallel.hpp"
 
 namespace vortree::tree {
@@ -37,6 +39,16 @@ std::vector<std::uint32_t> numbers_where(std::size_t n, const auto& holds) {
       if (holds(i)) numbers[next++] = i;
   });
   return numbers;
+}
+
+/// Of each of these numbers what make(i) says, made by all threads.
+template <class Made>
+Unwritten<Made> made_of(std::span<const std::uint32_t> numbers, const auto& make) {
+  Unwritten<Made> made(numbers.size());
+  const auto n = static_cast<std::ptrdiff_t>(numbers.size());
+#pragma omp parallel for schedule(static)
+  for (std::ptrdiff_t k = 0; k < n; ++k) made[k] = make(numbers[k]);
+  return made;
 }
 
 }  // namespace vortree::tree

@@ -259,15 +259,6 @@ void merge_all(AdaptedBlobs& adapted, const Merging& merging) {
   merge_remainder(adapted, merging);
 }
 
-Unwritten<AdaptedBlob> named(std::span<const AdaptedBlob> all,
-                             std::span<const std::uint32_t> numbers) {
-  Unwritten<AdaptedBlob> some(numbers.size());
-  const std::ptrdiff_t n = std::ssize(numbers);
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t k = 0; k < n; ++k) some[k] = all[numbers[k]];
-  return some;
-}
-
 /// Takes out and returns those on a lattice that may merge with none as strong a core away.
 Unwritten<AdaptedBlob> take_strong(Unwritten<AdaptedBlob>& all, double tolerance) {
   const auto strong = [&](std::uint32_t i) {
@@ -275,8 +266,13 @@ Unwritten<AdaptedBlob> take_strong(Unwritten<AdaptedBlob>& all, double tolerance
     return p.leniency < p.widening &&
            std::abs(p.gamma) / 2 > tolerance * p.leniency * std::sqrt(p.square);
   };
-  Unwritten<AdaptedBlob> taken = named(all, tree::numbers_where(all.size(), strong));
-  all = named(all, tree::numbers_where(all.size(), [&](std::uint32_t i) { return !strong(i); }));
+  const auto weak = [&](std::uint32_t i) { return !strong(i); };
+  const auto those = [&](const auto& hold) {
+    return tree::made_of<AdaptedBlob>(tree::numbers_where(all.size(), hold),
+                                      [&](std::uint32_t i) { return all[i]; });
+  };
+  Unwritten<AdaptedBlob> taken = those(strong);
+  all = those(weak);
   return taken;
 }
 

@@ -16,16 +16,6 @@ namespace {
 /// off in either direction, and free of the wall.
 constexpr double zone = folded::support * lattice_core + 1.5 * std::numbers::sqrt2 * lattice_step;
 
-/// Of each of these blobs what make(i) says.
-template <class Made>
-Unwritten<Made> made_of(std::span<const std::uint32_t> numbers, const auto& make) {
-  Unwritten<Made> made(numbers.size());
-  const std::ptrdiff_t n = std::ssize(numbers);
-#pragma omp parallel for schedule(static)
-  for (std::ptrdiff_t k = 0; k < n; ++k) made[k] = make(numbers[k]);
-  return made;
-}
-
 /// In how many steps a node's square spreads to the least that is laid; 0: it never does.
 std::uint64_t period(const LatticeLevel& level, double spread) {
   const double steps = (level.least() - level.square) / spread * (1 - 1e-9);
@@ -137,14 +127,14 @@ void Laying::append_free_nodes(Unwritten<AdaptedBlob>& all, std::span<const Wide
 
 void Laying::append_nodes(AdaptedBlobs& adapted, const Blobs& blobs,
                           std::span<const std::int8_t> level, const WallPoints& nearest) const {
-  const auto wide = made_of<WideBlob>(
+  const auto wide = tree::made_of<WideBlob>(
       tree::numbers_where(blobs.size(), [&](std::uint32_t i) { return level[i] >= 0; }),
       [&](std::uint32_t i) {
         return WideBlob{blobs.centre(i), blobs.gamma[i], blobs.core(i), level[i]};
       });
   append_free_nodes(adapted.all, wide);
   if (!wall_) return;
-  const auto at_wall = made_of<WideAtWall>(
+  const auto at_wall = tree::made_of<WideAtWall>(
       tree::numbers_where(blobs.size(), [&](std::uint32_t i) { return level[i] == along_wall; }),
       [&](std::uint32_t i) {
         return WideAtWall{blobs.centre(i), blobs.gamma[i], blobs.core(i), nearest.known(i)};
