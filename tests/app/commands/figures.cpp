@@ -1,40 +1,16 @@
 #include <catch2/catch.hpp>
 #include <string>
 
+#include "app/lone_vortex.hpp"
 #include "app/program.hpp"
 
 using namespace vortree::test;
-
-namespace {
-
-const std::string lone_vortex = R"(
-[flow]
-nu = 1e-3
-[cores]
-sigma_0 = 0.06
-sigma_max = 1
-[initial]
-kind = "lamb_oseen"
-circulation = 1.0
-core = 0.2
-[merging]
-tolerance = 0
-[time]
-dt = 0.01
-end = 0.08
-[velocity]
-method = "direct"
-[check]
-second_moment_max = 1
-)";
-
-}  // namespace
 
 TEST_CASE("a run's figures as PDF and SVG are what they say, and the same bytes twice") {
   const TemporaryFolder folder;
   {
     const NoFigures quick(folder);
-    folder.write("vortex.toml", lone_vortex);
+    folder.write("vortex.toml", lone_vortex_by_pairs);
     REQUIRE(call("run vortex.toml --out run", folder).code == 0);
   }
   const auto drawn = call("plot run --as pdf,svg", folder);
@@ -72,7 +48,7 @@ TEST_CASE("a figure takes the place of a figure alone, and two may draw it at on
   const TemporaryFolder folder;
   {
     const NoFigures quick(folder);
-    folder.write("vortex.toml", lone_vortex);
+    folder.write("vortex.toml", lone_vortex_by_pairs);
     REQUIRE(call("run vortex.toml --out run", folder).code == 0);
   }
   const std::string plot = "'" VORTREE_PROGRAM "' plot run";

@@ -7,6 +7,7 @@
 
 #include "app/commands/sweep/seconds.hpp"
 #include "app/commands/sweep/table.hpp"
+#include "app/lone_vortex.hpp"
 #include "app/program.hpp"
 #include "checks/convergence.hpp"
 #include "io/input_error.hpp"
@@ -14,29 +15,6 @@
 using namespace vortree;
 using namespace vortree::test;
 using app::Axis;
-
-namespace {
-
-const std::string lone_vortex = R"(
-[flow]
-nu = 1e-3
-[cores]
-sigma_0 = 0.06
-sigma_max = 1
-[initial]
-kind = "lamb_oseen"
-circulation = 1.0
-core = 0.2
-[merging]
-tolerance = 0
-[time]
-dt = 0.01
-end = 0.08
-[check]
-second_moment_max = 1
-)";
-
-}  // namespace
 
 TEST_CASE("a list of values is an axis; commas in brackets and quotes divide nothing") {
   const std::vector<std::string> words{"time.dt=0.1,0.2", "flow.stream=[1,0]", "title=\"a, b\"",

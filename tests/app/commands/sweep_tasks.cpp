@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/commands/sweep/share.hpp"
+#include "app/lone_vortex.hpp"
 #include "app/program.hpp"
 #include "io/input_error.hpp"
 
@@ -12,27 +13,6 @@ using namespace vortree;
 using namespace vortree::test;
 
 namespace {
-
-const std::string lone_vortex = R"(
-[flow]
-nu = 1e-3
-[cores]
-sigma_0 = 0.06
-sigma_max = 1
-[initial]
-kind = "lamb_oseen"
-circulation = 1.0
-core = 0.2
-[merging]
-tolerance = 0
-[time]
-dt = 0.01
-end = 0.08
-[velocity]
-method = "direct"
-[check]
-second_moment_max = 1
-)";
 
 const std::string list = "run vortex.toml time.scheme=rk4,rk2 time.dt=0.02,0.01,0.005 ";
 
@@ -87,7 +67,7 @@ TEST_CASE("every run of a list is one task's, however many tasks there are") {
 TEST_CASE("tasks in any order and their table are a sweep in one go, byte for byte") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   const auto whole = call(list + "--out whole", folder);
   CAPTURE(whole.err);
   REQUIRE(whole.code == 0);
@@ -115,7 +95,7 @@ TEST_CASE("tasks in any order and their table are a sweep in one go, byte for by
 TEST_CASE("tasks that start at once share a folder; a sweep in one go there is refused") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   std::string line;
   for (int task = 1; task <= 6; ++task)
     line += fmt::format("'{}' {} --out deep/er/parts --only {}/6 & p{}=$!; ", VORTREE_PROGRAM, list,
@@ -135,7 +115,7 @@ TEST_CASE("tasks that start at once share a folder; a sweep in one go there is r
 TEST_CASE("what is missing, unfinished or failed is a gap in the table, and told") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   const std::string words = "run vortex.toml time.end=0.08,1000,0.04 --out parts ";
   CHECK(call(words + "--only 1", folder).code == 0);
   const auto stopped = interrupted(words + "--only 2", folder, "parts/time.end=1000/report.csv", 3);
@@ -168,7 +148,7 @@ TEST_CASE("what is missing, unfinished or failed is a gap in the table, and told
 TEST_CASE("a task that was stopped goes on to the same table") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   const std::string words = "run vortex.toml cores.sigma_0=0.05,0.06 time.end=4 output.frames=0.5 ";
   const auto stopped = interrupted(words + "--out parts --only 2/2", folder,
                                    "parts/cores.sigma_0=0.06/report.csv", 3);
@@ -203,7 +183,7 @@ TEST_CASE("a task that was stopped goes on to the same table") {
 TEST_CASE("tasks of different lists, and runs of different scenes, do not come together") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   REQUIRE(call(list + "--out parts --only 1/6", folder).code == 0);
   const auto refused = [&](const std::string& words, const std::string& about) {
     const auto outcome = call(words, folder);
@@ -252,7 +232,7 @@ TEST_CASE("tasks of different lists, and runs of different scenes, do not come t
 TEST_CASE("a run that has gone beyond the end of its list is not of it, whatever it began with") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   const std::string words = "run vortex.toml cores.sigma_0=0.05,0.06 --out s --resume time.end=";
   for (const char* task : {"1", "2"}) CHECK(call(words + "0.04 --only " + task, folder).code == 0);
   CHECK(call(words + "0.08 --only 1", folder).code == 0);
@@ -273,7 +253,7 @@ TEST_CASE("a run that has gone beyond the end of its list is not of it, whatever
 TEST_CASE("what is said of another list helps") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   const std::string words = "run vortex.toml --out s cores.sigma_0=0.05,0.06";
   REQUIRE(call(words + " --only 1", folder).code == 0);
   for (const char* way : {"", " --overwrite", " --resume"}) {
@@ -294,7 +274,7 @@ TEST_CASE("what is said of another list helps") {
 TEST_CASE("a table that is a link to what is no table of a sweep is refused") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   const std::string words = "run vortex.toml --out s cores.sigma_0=0.05,0.06";
   for (const char* task : {" --only 1", " --only 2"}) REQUIRE(call(words + task, folder).code == 0);
   folder.write("notes.txt", "mine");
@@ -321,7 +301,7 @@ TEST_CASE("a table that is a link to what is no table of a sweep is refused") {
 TEST_CASE("a task beyond the list has nothing to do; one that cannot be is refused") {
   const TemporaryFolder folder;
   const NoFigures quick(folder);
-  folder.write("vortex.toml", lone_vortex);
+  folder.write("vortex.toml", lone_vortex_by_pairs);
   const auto idle = call(list + "--only 7/8", folder);
   CHECK(idle.code == 0);
   CHECK(idle.out == "task 7 of 8 has nothing to do: the list has 6 runs\n");
